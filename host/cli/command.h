@@ -1,0 +1,17 @@
+// The commands of the program: each adds its parser to the application and runs in the parser's callback. A callback
+// reports failure by throwing Error, or sets `exit` where a comparison failed.
+#pragma once
+
+#include "base/error.h"
+
+namespace CLI {
+class App;
+}
+
+namespace hyalite::cli {
+
+void addRender(CLI::App& app, ExitCode& exit);
+void addCompare(CLI::App& app, ExitCode& exit);
+void addDoctor(CLI::App& app, ExitCode& exit);
+
+} // namespace hyalite::cli

@@ -1,0 +1,47 @@
+// Records kernels one after another, each seeing all that the ones before it wrote, and times each by name.
+#pragma once
+
+#include "gpu/kernel.h"
+
+#include <map>
+
+namespace hyalite::gpu {
+
+struct StageTime {
+    double seconds = 0;
+    std::uint64_t dispatches = 0;
+    std::uint64_t threads = 0;
+};
+
+class Commands {
+public:
+    Commands(const Context& context, const TexelTables& tables, bool timed = false);
+    ~Commands();
+
+    // Runs `kernel` on at least `threads` threads; a kernel asks for its number by threadIndex() and stops at its
+    // count. Zero threads: nothing is recorded. sizeof(Arguments) must be the kernel's push-constant size.
+    // The dispatch is cut into pieces that a GPU finishes in time; a barrier follows.
+    template <class Arguments>
+    void run(const Kernel& kernel, const Arguments& arguments, std::uint32_t threads) {
+        static_assert(std::is_trivially_copyable_v<Arguments>);
+        run(kernel, std::as_bytes(std::span(&arguments, 1)), threads);
+    }
+    // Writes zeros to the whole buffer; a barrier follows.
+    void clear(const Buffer& buffer);
+    void clear(const Buffer& buffer, std::size_t bytes); // the first `bytes`, a multiple of 4
+
+    // Submits what was recorded and waits: after that the host may read and write the buffers.
+    // Throws Error(Device) when the device is lost.
+    void finish();
+
+    // Sums over all finished work, by kernel name; empty unless timed.
+    [[nodiscard]] const std::map<std::string, StageTime>& times() const;
+
+private:
+    void run(const Kernel& kernel, std::span<const std::byte> arguments, std::uint32_t threads);
+
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace hyalite::gpu

@@ -1,0 +1,47 @@
+// The Vulkan device that kernels run on. Vulkan's own headers are seen only in this folder's .cpp files.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace hyalite::gpu {
+
+struct DeviceInfo {
+    std::string name;
+    std::string driver;               // e.g. "llvmpipe Mesa 25.0.7-2 (LLVM 15.0.6)"
+    bool software = false;            // runs on the CPU
+    std::vector<std::string> missing; // features and limits it lacks; empty: usable
+};
+
+struct ContextOptions {
+    std::string device;      // part of a device's name, or its index; empty: the first usable one, GPUs before software
+    bool validation = false; // core and synchronization validation
+    std::function<void(const std::string&)> onValidationMessage; // each message; default: stderr
+};
+
+// Every Vulkan device on the machine, in the loader's order. Empty when there is no driver; never throws for that.
+[[nodiscard]] std::vector<DeviceInfo> listDevices();
+
+// Instance, device and its one compute queue. Throws Error(Device) when nothing usable is there, when `device` names
+// none or several, and when the driver fails the known-answer dispatch (see self_test.h).
+class Context {
+public:
+    explicit Context(const ContextOptions& options = {});
+    ~Context();
+    Context(Context&&) noexcept;
+    Context& operator=(Context&&) noexcept;
+
+    [[nodiscard]] const DeviceInfo& info() const;
+    [[nodiscard]] std::uint32_t validationMessages() const; // how many came so far
+
+    struct Impl; // host/gpu only
+    [[nodiscard]] Impl& impl() const { return *impl_; }
+
+private:
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace hyalite::gpu

@@ -1,0 +1,23 @@
+// Every fixed size in the program, each with its reason. The host checks them before work starts.
+#ifndef HYALITE_SHARED_LIMITS_H
+#define HYALITE_SHARED_LIMITS_H
+#include "language.h"
+SHARED_BEGIN
+
+// Threads of one workgroup: 8 to 64 measure alike on lavapipe, and 64 suits every GPU.
+SHARED_CONSTANT kGroupSize = 64u;
+
+// Groups in x of one dispatch when it needs more than one row; Vulkan guarantees 65 535.
+SHARED_CONSTANT kGroupsPerRow = 32768u;
+
+// Entries of a ray's traversal stack. The BVH builder computes what a tree needs and refuses one that needs more.
+SHARED_CONSTANT kTraversalStack = 48u;
+
+// Longest path, in segments; a photon stores its length in 8 bits.
+SHARED_CONSTANT kMaxDepth = 255u;
+
+// Marks "no object", "no light", "no material" in 32-bit indices.
+SHARED_CONSTANT kNone = 0xffffffffu;
+
+SHARED_END
+#endif

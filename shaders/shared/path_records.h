@@ -1,0 +1,61 @@
+// What travels from kernel to kernel along paths, and what the photon pass leaves behind.
+#ifndef HYALITE_SHARED_PATH_RECORDS_H
+#define HYALITE_SHARED_PATH_RECORDS_H
+#include "language.h"
+SHARED_BEGIN
+
+struct Ray {
+    vec3 origin;    // world [m], already moved off the surface it leaves
+    float tMax;     // the ray ends here; in units of |direction|
+    vec3 direction; // unit
+};
+DEVICE_ARRAY(Ray, RayArray);
+
+struct Hit {
+    float t;        // distance along the ray [m]
+    uint object;    // kNone: nothing was hit
+    uint primitive; // triangle of the triangle table; 0 for other shapes
+    vec2 uv;        // quad: coordinates along its edges; triangle: barycentric of its second and third corner
+};
+DEVICE_ARRAY(Hit, HitArray);
+
+// The state of a camera path that has not yet met a diffuse surface.
+struct CameraPath {
+    vec3 beta;        // throughput: what one unit of radiance along the present ray adds to the pixel
+    uint pixel;       // y * width + x, row 0 on top
+    uint samplerSeed; // see Sampler; the index is the pass
+};
+DEVICE_ARRAY(CameraPath, CameraPathArray);
+
+// Where a camera path first meets a diffuse surface: there the photons are gathered and the lights are sampled.
+struct VisiblePoint {
+    vec3 position; // world [m]
+    uint depth;    // segments from the camera to here; 0: the path found no diffuse surface
+    vec3 normal;   // unit, on the side the path came from
+    uint samplerSeed;
+    vec3 f; // path throughput times the BRDF albedo / pi [1/sr]
+    uint pixel;
+};
+DEVICE_ARRAY(VisiblePoint, VisiblePointArray);
+
+// Photon path in flight.
+struct PhotonPath {
+    vec3 power;  // flux [W], light pmf and photon count divided out
+    uint photon; // number of the photon in its pass
+};
+DEVICE_ARRAY(PhotonPath, PhotonPathArray);
+
+// A stored photon; the sorted photons are also read as two texels each.
+struct Photon {
+    vec3 position;  // world [m]
+    uint direction; // unit vector towards where the photon came from, octahedral, 16 bits a coordinate
+    vec3 power;     // flux [W]
+    uint surface;   // normal of the surface it landed on, octahedral, 12 bits a coordinate; path length above, 8 bits
+};
+DEVICE_ARRAY(Photon, PhotonArray);
+
+DEVICE_ARRAY(uint, UintArray);
+DEVICE_ARRAY(vec3, ColorArray);
+
+SHARED_END
+#endif

@@ -1,0 +1,105 @@
+// Counter-based random numbers, the same bits in C++ and GLSL: a sampler names a sequence and a place in it, a
+// dimension picks a pair of numbers there. The pairs are Owen-scrambled Sobol points, shuffled per dimension so that
+// dimensions pad one another [Burley20]; the second Sobol coordinate is Pascal's matrix mod 2, in five steps [Ahmed24].
+#ifndef HYALITE_SHARED_RANDOM_H
+#define HYALITE_SHARED_RANDOM_H
+#include "language.h"
+SHARED_BEGIN
+
+// Full-avalanche 32-bit integer hash ("lowbias32", C. Wellons).
+SHARED_FUNCTION uint hash(uint x) {
+    x ^= x >> 16u;
+    x *= 0x7feb352du;
+    x ^= x >> 15u;
+    x *= 0x846ca68bu;
+    return x ^ (x >> 16u);
+}
+
+SHARED_FUNCTION uint hashCombine(uint seed, uint value) {
+    return hash(seed ^ (value * 0x9e3779b9u + 0x85ebca6bu));
+}
+
+SHARED_FUNCTION uint reverseBits(uint x) {
+    x = (x >> 16u) | (x << 16u);
+    x = ((x & 0x00ff00ffu) << 8u) | ((x & 0xff00ff00u) >> 8u);
+    x = ((x & 0x0f0f0f0fu) << 4u) | ((x & 0xf0f0f0f0u) >> 4u);
+    x = ((x & 0x33333333u) << 2u) | ((x & 0xccccccccu) >> 2u);
+    return ((x & 0x55555555u) << 1u) | ((x & 0xaaaaaaaau) >> 1u);
+}
+
+// Owen scrambling of the bit-reversed x: each bit is flipped by a hash of the bits below it only (the improved
+// Laine-Karras permutation, [Burley20] listing 3 with N. Vegdahl's constants).
+SHARED_FUNCTION uint scrambleReversed(uint x, uint seed) {
+    x ^= x * 0x3d20adeau;
+    x += seed;
+    x *= (seed >> 16u) | 1u;
+    x ^= x * 0x05526c56u;
+    return x ^ (x * 0x53a22864u);
+}
+
+// Generator matrix of the second Sobol dimension: binomial(j, k) mod 2, a Kronecker power of (1 1; 0 1).
+SHARED_FUNCTION uint pascal(uint x) {
+    x ^= x >> 16u;
+    x ^= (x & 0xff00ff00u) >> 8u;
+    x ^= (x & 0xf0f0f0f0u) >> 4u;
+    x ^= (x & 0xccccccccu) >> 2u;
+    return x ^ ((x & 0xaaaaaaaau) >> 1u);
+}
+
+// The place of one path in its sequence.
+struct Sampler {
+    uint seed;  // names the sequence
+    uint index; // place in it: successive indices fill the unit square evenly
+};
+
+// Camera paths: one sequence per pixel, whose successive points are the passes.
+SHARED_FUNCTION Sampler cameraSampler(uint seed, uint pass, uint pixel) {
+    Sampler s;
+    s.seed = hashCombine(hashCombine(seed, 0u), pixel);
+    s.index = pass;
+    return s;
+}
+
+// Photon paths: one sequence per pass, whose successive points are the photons emitted in it.
+SHARED_FUNCTION Sampler photonSampler(uint seed, uint pass, uint photon) {
+    Sampler s;
+    s.seed = hashCombine(hashCombine(seed, 1u), pass);
+    s.index = photon;
+    return s;
+}
+
+// Two 32-bit fractions for a dimension of the sampler.
+SHARED_FUNCTION uvec2 sampleBits(Sampler s, uint dimension) {
+    uint dimensionSeed = hashCombine(s.seed, dimension);
+    uint shuffled = reverseBits(scrambleReversed(reverseBits(s.index), dimensionSeed));
+    uint x = reverseBits(scrambleReversed(shuffled, hash(dimensionSeed ^ 0x68bc21ebu)));
+    uint y = reverseBits(scrambleReversed(pascal(shuffled), hash(dimensionSeed ^ 0x02e5be93u)));
+    return uvec2(x, y);
+}
+
+// Which pair of numbers a choice along a path uses. Vertices are counted from 0, the first hit.
+SHARED_CONSTANT kCameraPixel = 0u; // place in the pixel
+
+SHARED_FUNCTION uint cameraScatter(uint vertex) { // x: reflected or refracted
+    return 2u + 3u * vertex;
+}
+SHARED_FUNCTION uint cameraLightPoint(uint vertex) { // point on the light
+    return 3u + 3u * vertex;
+}
+SHARED_FUNCTION uint cameraLightChoice(uint vertex) { // x: which light
+    return 4u + 3u * vertex;
+}
+
+SHARED_CONSTANT kPhotonLight = 0u;     // x: which light emits
+SHARED_CONSTANT kPhotonOrigin = 1u;    // point on the light
+SHARED_CONSTANT kPhotonDirection = 2u; // direction of emission
+
+SHARED_FUNCTION uint photonScatter(uint vertex) { // x: roulette, y: reflected or refracted
+    return 3u + 2u * vertex;
+}
+SHARED_FUNCTION uint photonBounce(uint vertex) { // direction after a diffuse reflection
+    return 4u + 2u * vertex;
+}
+
+SHARED_END
+#endif
