@@ -1,0 +1,152 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that hyalite needs and that are missing; does nothing, quickly, when none is.
+set -euo pipefail
+
+usage() {
+    cat <<'END'
+usage: scripts/install-deps.sh [render|test|lint]
+
+  render   what building and running hyalite needs (the default)
+  test     that, and what the tests need
+  lint     that, and what scripts/lint.sh needs
+
+Debian 12 and 13, as root or with sudo. On Debian 12 Mesa and Catch2 come from the backports suite, whose source
+entry is made from the machine's own Debian entry (docs/setup.md says why).
+END
+}
+
+fail() {
+    printf 'install-deps.sh: %s\n' "$@" >&2
+    exit 1
+}
+
+render=(cmake ninja-build g++ libvulkan-dev glslang-dev spirv-tools libglm-dev libstb-dev libopenexr-dev
+    libyaml-cpp-dev libcli11-dev nlohmann-json3-dev libspirv-cross-c-shared-dev zlib1g-dev mesa-vulkan-drivers)
+# clang-format 19: the one version that both Debian 12 and 13 have, so that both judge a line alike.
+test=(catch2 libnanoflann-dev vulkan-validationlayers python3 shellcheck clang-format-19)
+lint=(clang clang-tidy)
+# Lavapipe before Mesa 25 renders wrong pixels, and the tests are written for Catch2 v3.
+declare -A atLeast=([mesa-vulkan-drivers]=25 [catch2]=3)
+
+case ${1:-render} in
+render) wanted=("${render[@]}") ;;
+test) wanted=("${render[@]}" "${test[@]}") ;;
+lint) wanted=("${render[@]}" "${test[@]}" "${lint[@]}") ;;
+-h | --help) usage && exit ;;
+*) usage >&2 && exit 2 ;;
+esac
+
+# Sets `missing` to those of `wanted` that are not installed, or too old.
+missing=()
+findMissing() {
+    declare -A installed=()
+    local package status version
+    while read -r package status version; do
+        if [[ $status == installed ]]; then installed[$package]=$version; fi
+    done < <(dpkg-query -W -f='${Package} ${db:Status-Status} ${Version}\n' "${wanted[@]}" 2>/dev/null)
+    missing=()
+    for package in "${wanted[@]}"; do
+        version=${installed[$package]:-}
+        if [[ -z $version ]] || dpkg --compare-versions "$version" lt "${atLeast[$package]:-0}"; then
+            missing+=("$package")
+        fi
+    done
+}
+
+apt() {
+    "${asRoot[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 "$@"
+}
+
+updated=1
+update() {
+    apt update -o APT::Update::Error-Mode=any >&2 || updated=0
+}
+
+# One line per index that apt reads: where it comes from, which suite it is.
+indexes() {
+    # shellcheck disable=SC2016  # apt-get expands these names
+    apt-get indextargets --format '$(ORIGIN)|$(LABEL)|$(RELEASE)|$(REPO_URI)' 'Identifier: Packages'
+}
+
+# The source entry of the codename's backports suite, made from that of Debian's own archive, which is told from third
+# parties by its signed release file. Sets `entry`, `entryFile` and `madeFrom`; entry is empty when there is none.
+makeBackportsEntry() {
+    local codename=$1 uri format suffix
+    entry=
+    while IFS= read -r uri; do
+        for madeFrom in /etc/apt/sources.list /etc/apt/sources.list.d/*.list /etc/apt/sources.list.d/*.sources; do
+            if [[ ! -f $madeFrom ]]; then continue; fi
+            format=one-line suffix=list
+            if [[ $madeFrom == *.sources ]]; then format=deb822 suffix=sources; fi
+            entryFile=/etc/apt/sources.list.d/hyalite-backports.$suffix
+            entry=$(awk -v uri="$uri" -v codename="$codename" -v format="$format" \
+                -f "$here/backports_entry.awk" "$madeFrom")
+            if [[ -n $entry ]]; then return; fi
+        done
+    done < <(indexes | awk -F '|' -v codename="$codename" \
+        '$1 == "Debian" && $2 == "Debian" && $3 == codename { print $4 }' | sort -u)
+}
+
+# Lets apt read the codename's backports suite, unless it does already.
+addBackports() {
+    local codename=$1 entry entryFile madeFrom
+    if indexes | grep -q "|$codename-backports|"; then return; fi
+    makeBackportsEntry "$codename"
+    if [[ -z $entry ]]; then
+        if ((!updated)); then fail "apt-get update failed (see above): no network?"; fi
+        fail "no source entry of Debian's main archive with suite '$codename' in /etc/apt/sources.list or" \
+            "/etc/apt/sources.list.d: add one, or one with suite '$codename-backports'"
+    fi
+    "${asRoot[@]}" tee "$entryFile" <<<"$entry" >/dev/null
+    update
+    # The origin is known once the suite's release file has come.
+    if ! indexes | grep -q "^Debian Backports|.*|$codename-backports|"; then
+        "${asRoot[@]}" rm -f "$entryFile"
+        fail "the mirror in $madeFrom does not give '$codename-backports' (see above)"
+    fi
+    echo "install-deps.sh: added $entryFile, made from $madeFrom" >&2
+}
+
+# Installs `missing` on Debian release $1.
+installMissing() {
+    local package chosen=() failed=0
+    update
+    if [[ $1 == 12 && " ${missing[*]} " =~ ' '(mesa-vulkan-drivers|catch2)' ' ]]; then addBackports bookworm; fi
+    for package in "${missing[@]}"; do
+        if [[ $1 == 12 && -n ${atLeast[$package]:-} ]]; then package+=/bookworm-backports; fi
+        chosen+=("$package")
+    done
+    apt install --yes --no-install-recommends "${chosen[@]}" 2>&1 >/dev/null | sed -n '1,12p' >&2 || failed=1
+    findMissing
+    if ((failed || ${#missing[@]})); then
+        if ((!updated)); then fail "apt-get update failed (see above): no network?"; fi
+        fail "apt-get could not install what is needed (see above); missing: ${missing[*]:-nothing}"
+    fi
+}
+
+here=$(realpath "$(dirname "${BASH_SOURCE[0]}")")
+
+distribution=unknown
+if [[ -r /etc/os-release ]]; then
+    # shellcheck source=/dev/null
+    distribution=$(. /etc/os-release && echo "${ID:-unknown} ${VERSION_ID:-}")
+fi
+if [[ $distribution != debian\ 1[23] ]]; then
+    fail "only Debian 12 and 13 are known here, not '$distribution'" \
+        "install the equivalents of: ${wanted[*]} (Mesa 25 or newer, Catch2 3)" \
+        "then: cmake --preset release && cmake --build --preset release"
+fi
+
+findMissing
+if ((${#missing[@]} == 0)); then exit; fi
+
+asRoot=()
+if ((EUID != 0)); then
+    if ! command -v sudo >/dev/null; then
+        fail "missing: ${missing[*]}" \
+            "not root, and there is no sudo: run 'scripts/install-deps.sh ${1:-render}' as root"
+    fi
+    asRoot=(sudo)
+fi
+echo "install-deps.sh: installing ${missing[*]}" >&2
+installMissing "${distribution#debian }"

@@ -1,0 +1,101 @@
+#!/usr/bin/env bash
+# Proves the README's two commands on a bare Debian: makes a minimal root, clones HEAD into it, and runs them there.
+set -euo pipefail
+export LC_ALL=C # the clock below writes its decimal point
+
+usage() {
+    cat <<'END'
+usage: scripts/prove-setup.sh bookworm|trixie [install|render|test]
+
+  install   only scripts/install-deps.sh and a CMake configure
+  render    that, then scripts/render.sh twice with a small picture
+  test      that, then scripts/test.sh (the default)
+
+Needs root, debootstrap and git, on a Debian machine whose mirror and network settings the new root borrows. The root
+stands in a temporary folder and is removed at the end; uncommitted changes are not part of it.
+END
+}
+
+fail() {
+    echo "prove-setup.sh: $1" >&2
+    exit 1
+}
+
+case ${1:-} in
+bookworm | trixie) suite=$1 ;;
+-h | --help) usage && exit ;;
+*) usage >&2 && exit 2 ;;
+esac
+until=${2:-test}
+case $until in install | render | test) ;; *) usage >&2 && exit 2 ;; esac
+
+((EUID == 0)) || fail "run as root: it makes a root folder and enters it"
+for tool in debootstrap git unshare; do
+    command -v "$tool" >/dev/null || fail "no $tool: apt-get install $tool"
+done
+
+source=$(realpath "$(dirname "${BASH_SOURCE[0]}")/..")
+work=$(mktemp -d)
+root=$work/$suite
+
+# Everything is mounted in namespaces that end with their processes, so nothing is mounted here when this runs. Should
+# something be all the same, leave it all in place.
+cleanUp() {
+    if grep -q " $work/" /proc/self/mountinfo; then
+        echo "prove-setup.sh: left $work in place: something is mounted in it" >&2
+    else
+        rm -rf --one-file-system "$work"
+    fi
+}
+trap cleanUp EXIT
+
+# Runs a command and notes how long it took. A function run by this must end itself where a step fails.
+timed() {
+    local what=$1 start=$EPOCHREALTIME result=0
+    shift
+    "$@" || result=$?
+    printf '[prove-setup %s] %-34s %7.1f s  exit %d\n' "$suite" "$what" \
+        "$(awk -v a="$start" -v b="$EPOCHREALTIME" 'BEGIN { print b - a }')" "$result" | tee -a "$work/times"
+    return "$result"
+}
+
+makeRoot() {
+    local mirror
+    # shellcheck disable=SC2016  # apt-get expands these names
+    mirror=$(apt-get indextargets --format '$(ORIGIN)|$(LABEL)|$(REPO_URI)' |
+        awk -F '|' '$1 == "Debian" && $2 == "Debian" { print $3; exit }')
+    [[ -n $mirror ]] || fail "apt knows no Debian mirror: run apt-get update"
+    unshare --mount debootstrap --variant=minbase "$suite" "$root" "$mirror" >"$work/debootstrap.log" ||
+        { tail "$work/debootstrap.log" >&2 && fail "debootstrap failed"; }
+    # Proxies and the like are this machine's matter; they go into the new root, not into the repository.
+    cp /etc/resolv.conf "$root/etc/resolv.conf" || return
+    apt-config dump | grep '^Acquire::' | grep -Ev '^Acquire::(IndexTargets|Languages)' \
+        >"$root/etc/apt/apt.conf.d/99network" || true
+    git clone --quiet --no-local "$source" "$root/hyalite"
+}
+
+# Runs a command in the root, in a home folder of its own, with nothing of this machine's environment.
+inside() {
+    unshare --mount --pid --fork --kill-child --mount-proc="$root/proc" chroot "$root" \
+        env -i HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
+        bash -c 'cd && "$@"' inside "$@"
+}
+
+render() {
+    inside /hyalite/scripts/render.sh --resolution 64x64 --passes 2 || return
+    [[ -s $root/root/cornell-caustics.png ]] || fail "no picture was written"
+    rm "$root/root/cornell-caustics.png"
+}
+
+timed 'make a bare root' makeRoot
+if [[ $until == install ]]; then
+    timed 'install-deps.sh test' inside /hyalite/scripts/install-deps.sh test
+    timed 'install-deps.sh test, again' inside /hyalite/scripts/install-deps.sh test
+    timed 'configure' inside cmake -S /hyalite -B /hyalite/build/release -G Ninja -DHYALITE_TESTS=ON
+else
+    timed 'render.sh, first' render
+    timed 'render.sh, again' render
+    if [[ $until == test ]]; then timed 'test.sh' inside /hyalite/scripts/test.sh; fi
+fi
+echo
+cat "$work/times"
