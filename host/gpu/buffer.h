@@ -14,7 +14,7 @@ namespace hyalite::gpu {
 // Host-visible device memory that stays mapped. Its contents are undefined at first.
 class Buffer {
 public:
-    Buffer() = default; // empty: size 0, address 0
+    Buffer(); // empty: size 0, address 0
     // Throws Error(Device) when the device has no room, naming `name` and the size.
     Buffer(const Context& context, std::size_t bytes, std::string name);
     ~Buffer();
@@ -75,7 +75,8 @@ public:
     TexelTables(TexelTables&&) noexcept;
     TexelTables& operator=(TexelTables&&) noexcept;
 
-    // Shows `buffer` (16 bytes a texel) at `binding`; the buffer must outlive its use. No dispatch may be in flight.
+    // Shows `buffer` (16 bytes a texel) at `binding`; the buffer must outlive its use. Not between a Commands::run and
+    // the finish that follows. An empty buffer, like a binding never set (Float4), shows one texel of zeros.
     // Throws Error(Device) when it has more texels than the device allows.
     void set(std::uint32_t binding, const Buffer& buffer, TexelFormat format);
 

@@ -1,6 +1,7 @@
 // The Vulkan device that kernels run on. Vulkan's own headers are seen only in this folder's .cpp files.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -25,8 +26,16 @@ struct ContextOptions {
 // Every Vulkan device on the machine, in the loader's order. Empty when there is no driver; never throws for that.
 [[nodiscard]] std::vector<DeviceInfo> listDevices();
 
+// Whether ContextOptions::validation can be asked for.
+[[nodiscard]] bool validationLayerInstalled();
+
+// Which of `devices` a Context with this ContextOptions::device takes. Throws Error(Device) when that is none, several,
+// or one that lacks something.
+[[nodiscard]] std::size_t chooseDevice(const std::vector<DeviceInfo>& devices, const std::string& wanted);
+
 // Instance, device and its one compute queue. Throws Error(Device) when nothing usable is there, when `device` names
-// none or several, and when the driver fails the known-answer dispatch (see self_test.h).
+// none or several, and when validation is asked for and its layer is not installed. It must outlive all that is made
+// from it. Whether the driver computes what it should is for selfTest() (self_test.h) to say.
 class Context {
 public:
     explicit Context(const ContextOptions& options = {});

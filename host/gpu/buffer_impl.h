@@ -1,0 +1,29 @@
+// What a Buffer and the texel tables hold.
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/context_impl.h"
+
+namespace hyalite::gpu {
+
+inline constexpr std::size_t kTexelBytes = 16;
+
+struct Buffer::Impl {
+    std::string name;
+    std::size_t bytes = 0; // as asked for; the Vulkan buffer is rounded up to whole texels
+    vk::raii::DeviceMemory memory = nullptr;
+    vk::raii::Buffer buffer = nullptr;
+    std::byte* mapped = nullptr;
+    std::uint64_t address = 0;
+};
+
+struct TexelTables::Impl {
+    const Context::Impl* context = nullptr;
+    Buffer dummy; // one texel of zeros
+    vk::raii::DescriptorSetLayout layout = nullptr;
+    vk::raii::DescriptorPool pool = nullptr;
+    vk::raii::DescriptorSet set = nullptr;
+    std::vector<vk::raii::BufferView> views;
+};
+
+} // namespace hyalite::gpu

@@ -1,0 +1,231 @@
+// Records dispatches with a barrier after each, submits them in portions, and reads the timestamps back.
+#include "gpu/commands.h"
+
+#include "gpu/buffer_impl.h"
+#include "gpu/kernel_impl.h"
+#include "shaders/shared/limits.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace hyalite::gpu {
+namespace {
+
+// Threads of one dispatch: a full row of groups. A GPU that draws the desktop as well stops what runs for seconds.
+constexpr std::uint32_t kGroupsPerPiece = shared::kGroupsPerRow;
+
+// Threads of one submission, which is what a GPU's watchdog watches.
+constexpr std::uint64_t kThreadsPerSubmission = std::uint64_t(1) << 23U;
+
+constexpr std::uint32_t kQueriesPerPool = 256;
+
+// One timed span: two successive timestamps.
+struct Span {
+    std::string name;
+    std::uint64_t dispatches = 0;
+    std::uint64_t threads = 0;
+};
+
+// Everything before it is done, and seen by everything after it.
+void recordBarrier(const vk::raii::CommandBuffer& buffer, vk::PipelineStageFlags2 after, vk::AccessFlags2 access) {
+    using Stage = vk::PipelineStageFlagBits2;
+    using Access = vk::AccessFlagBits2;
+    const vk::MemoryBarrier2 barrier{.srcStageMask = Stage::eComputeShader | Stage::eAllTransfer,
+                                     .srcAccessMask = Access::eShaderWrite | Access::eTransferWrite,
+                                     .dstStageMask = after,
+                                     .dstAccessMask = access};
+    buffer.pipelineBarrier2(vk::DependencyInfo{.memoryBarrierCount = 1, .pMemoryBarriers = &barrier});
+}
+
+void recordBarrier(const vk::raii::CommandBuffer& buffer) {
+    using Stage = vk::PipelineStageFlagBits2;
+    using Access = vk::AccessFlagBits2;
+    recordBarrier(buffer, Stage::eComputeShader | Stage::eAllTransfer,
+                  Access::eShaderRead | Access::eShaderWrite | Access::eTransferWrite);
+}
+
+} // namespace
+
+struct Commands::Impl {
+    const Context::Impl& context;
+    vk::DescriptorSet tables;
+    bool timed;
+    vk::raii::CommandPool pool = nullptr;
+    std::vector<vk::raii::CommandBuffer> buffers; // the first `used` hold work that is not finished
+    std::size_t used = 0;
+    bool recording = false;            // into the last used one
+    std::uint64_t threadsRecorded = 0; // in it
+    vk::raii::Fence fence = nullptr;
+    std::vector<vk::raii::QueryPool> queries;
+    std::vector<Span> spans; // of the work that is not finished; span i has timestamps 2 i and 2 i + 1
+    std::map<std::string, StageTime> times;
+
+    Impl(const Context::Impl& owner, vk::DescriptorSet set, bool isTimed)
+        : context(owner), tables(set), timed(isTimed),
+          pool(context.device, vk::CommandPoolCreateInfo{.queueFamilyIndex = context.queueFamily}),
+          fence(context.device, vk::FenceCreateInfo{}) {}
+
+    // The command buffer being recorded; begins one where there is none.
+    const vk::raii::CommandBuffer& recorder();
+    // Ends the command buffer and hands it to the queue; a fence is signalled when all work so far is done.
+    void submit(vk::Fence signal);
+    void writeTimestamp(std::size_t index);
+    // Records `body` between two timestamps and a barrier after it.
+    template <class Body>
+    void record(const Span& span, const Body& body);
+    void addTimes();
+};
+
+const vk::raii::CommandBuffer& Commands::Impl::recorder() {
+    if (!recording) {
+        if (used == buffers.size()) {
+            vk::raii::CommandBuffers made(context.device,
+                                          vk::CommandBufferAllocateInfo{.commandPool = *pool, .commandBufferCount = 1});
+            buffers.push_back(std::move(made.front()));
+        }
+        buffers[used].begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+        ++used;
+        recording = true;
+        threadsRecorded = 0;
+    }
+    return buffers[used - 1];
+}
+
+void Commands::Impl::submit(vk::Fence signal) {
+    const vk::raii::CommandBuffer& buffer = recorder();
+    buffer.end();
+    recording = false;
+    const vk::CommandBufferSubmitInfo info{.commandBuffer = *buffer};
+    context.queue.submit2(vk::SubmitInfo2{.commandBufferInfoCount = 1, .pCommandBufferInfos = &info}, signal);
+}
+
+void Commands::Impl::writeTimestamp(std::size_t index) {
+    const std::size_t poolIndex = index / kQueriesPerPool;
+    const auto query = std::uint32_t(index % kQueriesPerPool);
+    if (poolIndex == queries.size()) {
+        queries.emplace_back(context.device, vk::QueryPoolCreateInfo{.queryType = vk::QueryType::eTimestamp,
+                                                                     .queryCount = kQueriesPerPool});
+    }
+    if (query == 0) {
+        recorder().resetQueryPool(*queries[poolIndex], 0, kQueriesPerPool);
+    }
+    recorder().writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *queries[poolIndex], query);
+}
+
+template <class Body>
+void Commands::Impl::record(const Span& span, const Body& body) {
+    if (timed) {
+        writeTimestamp(2 * spans.size());
+    }
+    body();
+    recordBarrier(recorder());
+    if (timed) {
+        writeTimestamp(2 * spans.size() + 1);
+        spans.push_back(span);
+    }
+}
+
+void Commands::Impl::addTimes() {
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+        const std::size_t first = 2 * i; // both of a span are in one pool: its size is even
+        const auto [result, ticks] = queries[first / kQueriesPerPool].getResults<std::uint64_t>(
+            std::uint32_t(first % kQueriesPerPool), 2, 2 * sizeof(std::uint64_t), sizeof(std::uint64_t),
+            vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
+        vk::resultCheck(result, "reading timestamps");
+        StageTime& time = times[spans[i].name];
+        time.seconds += double((ticks[1] - ticks[0]) & context.timestampMask) * context.secondsPerTick;
+        time.dispatches += spans[i].dispatches;
+        time.threads += spans[i].threads;
+    }
+    spans.clear();
+}
+
+Commands::Commands(const Context& context, const TexelTables& tables, bool timed)
+    : impl_(checked("making a command list",
+                    [&] { return std::make_unique<Impl>(context.impl(), *tables.impl().set, timed); })) {}
+
+Commands::~Commands() {
+    // Portions may be running still, in memory that goes away now.
+    if (impl_->used > 0) {
+        try {
+            impl_->context.device.waitIdle();
+        } catch (const vk::SystemError&) {
+            return; // the device is lost: nothing runs
+        }
+    }
+}
+
+void Commands::run(const Kernel& kernel, std::span<const std::byte> arguments, std::uint32_t threads) {
+    if (threads == 0) {
+        return;
+    }
+    const Kernel::Impl& implementation = kernel.impl();
+    if (arguments.size() != implementation.interface.pushConstantBytes) {
+        throw Error(ExitCode::BadInput, "kernel '" + kernel.name() + "' takes " +
+                                            std::to_string(implementation.interface.pushConstantBytes) +
+                                            " bytes of arguments, not " + std::to_string(arguments.size()));
+    }
+    const std::uint32_t groups = (threads - 1) / shared::kGroupSize + 1;
+    checked("recording kernel '" + kernel.name() + '\'', [&] {
+        impl_->record({.name = kernel.name(), .dispatches = 1, .threads = threads}, [&] {
+            const auto stage = vk::ShaderStageFlagBits::eCompute;
+            for (std::uint32_t row = 0, done = 0; done < groups; ++row, done += kGroupsPerPiece) {
+                const vk::raii::CommandBuffer& buffer = impl_->recorder();
+                buffer.bindPipeline(vk::PipelineBindPoint::eCompute, *implementation.pipeline);
+                buffer.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *implementation.layout, 0, impl_->tables,
+                                          nullptr);
+                buffer.pushConstants<std::byte>(*implementation.layout, stage, 0, arguments);
+                const std::uint32_t width = std::min(groups - done, kGroupsPerPiece);
+                buffer.dispatchBase(0, row, 0, width, 1, 1);
+                impl_->threadsRecorded += std::uint64_t(width) * shared::kGroupSize;
+                if (impl_->threadsRecorded >= kThreadsPerSubmission) {
+                    impl_->submit({});
+                }
+            }
+        });
+    });
+}
+
+void Commands::clear(const Buffer& buffer) {
+    if (buffer.impl() != nullptr) {
+        clear(buffer, (buffer.bytes() + 3) / 4 * 4); // Vulkan's buffer is a multiple of 4 long
+    }
+}
+
+void Commands::clear(const Buffer& buffer, std::size_t bytes) {
+    if (bytes == 0) {
+        return;
+    }
+    if (bytes % 4 != 0 || bytes > (buffer.bytes() + 3) / 4 * 4) {
+        throw Error(ExitCode::BadInput, "cannot clear " + std::to_string(bytes) + " bytes of a buffer of " +
+                                            std::to_string(buffer.bytes()));
+    }
+    checked("recording a clear", [&] {
+        impl_->record({.name = "clear", .dispatches = 1, .threads = 0},
+                      [&] { impl_->recorder().fillBuffer(*buffer.impl()->buffer, 0, bytes, 0); });
+    });
+}
+
+void Commands::finish() {
+    if (impl_->used == 0) {
+        return;
+    }
+    checked("running on " + impl_->context.info.name, [&] {
+        using Stage = vk::PipelineStageFlagBits2;
+        recordBarrier(impl_->recorder(), Stage::eHost, vk::AccessFlagBits2::eHostRead);
+        impl_->submit(*impl_->fence);
+        const vk::Fence fence = *impl_->fence;
+        vk::resultCheck(impl_->context.device.waitForFences(fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max()),
+                        "waiting for the device");
+        impl_->context.device.resetFences(fence);
+        impl_->addTimes();
+        impl_->pool.reset();
+        impl_->used = 0;
+    });
+}
+
+const std::map<std::string, StageTime>& Commands::times() const {
+    return impl_->times;
+}
+
+} // namespace hyalite::gpu

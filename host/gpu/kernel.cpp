@@ -1,0 +1,105 @@
+// From a kernel's name to a compute pipeline.
+#include "gpu/kernel_impl.h"
+
+#include "gpu/buffer_impl.h"
+#include "shaders/shared/limits.h"
+
+namespace hyalite::gpu {
+namespace {
+
+void checkInterface(const Kernel::Impl& kernel, const Context::Impl& context, const SourceLocation& source) {
+    const KernelInterface& interface = kernel.interface;
+    const std::string what = "kernel '" + kernel.name + "': ";
+    if (interface.localSize != shared::kGroupSize) {
+        throw Error(ExitCode::BadInput, source,
+                    what + "its workgroup has " + std::to_string(interface.localSize) + " threads, not " +
+                        std::to_string(shared::kGroupSize),
+                    "include lib/thread.glsl");
+    }
+    if (interface.pushConstantBytes == 0) {
+        throw Error(ExitCode::BadInput, source, what + "it has no arguments",
+                    "declare its Arguments struct as a scalar push_constant block");
+    }
+    if (interface.pushConstantBytes > context.limits.maxPushConstantsSize) {
+        throw Error(ExitCode::Device, source,
+                    what + "its arguments take " + std::to_string(interface.pushConstantBytes) + " bytes, but " +
+                        context.info.name + " allows " + std::to_string(context.limits.maxPushConstantsSize));
+    }
+}
+
+// The values that the kernel has constants for, in the two arrays that Vulkan wants.
+struct SpecializationData {
+    std::vector<vk::SpecializationMapEntry> entries;
+    std::vector<std::uint32_t> values;
+};
+
+SpecializationData select(const Specialization& specialization, const KernelInterface& interface) {
+    SpecializationData data;
+    for (const auto& [name, value] : specialization) {
+        const auto constant = interface.specializationConstants.find(name);
+        if (constant != interface.specializationConstants.end()) {
+            data.entries.push_back({.constantID = constant->second,
+                                    .offset = std::uint32_t(data.values.size() * sizeof(value)),
+                                    .size = sizeof(value)});
+            data.values.push_back(value);
+        }
+    }
+    return data;
+}
+
+vk::raii::Pipeline makePipeline(const vk::raii::Device& device, vk::PipelineLayout layout, const SpirV& spirv,
+                                const SpecializationData& data) {
+    const vk::raii::ShaderModule module(
+        device,
+        vk::ShaderModuleCreateInfo{.codeSize = spirv.size() * sizeof(SpirV::value_type), .pCode = spirv.data()});
+    const vk::SpecializationInfo specialization{.mapEntryCount = std::uint32_t(data.entries.size()),
+                                                .pMapEntries = data.entries.data(),
+                                                .dataSize = data.values.size() * sizeof(std::uint32_t),
+                                                .pData = data.values.data()};
+    const vk::PipelineShaderStageCreateInfo stage{.stage = vk::ShaderStageFlagBits::eCompute,
+                                                  .module = *module,
+                                                  .pName = "main",
+                                                  .pSpecializationInfo = &specialization};
+    return {device, nullptr,
+            vk::ComputePipelineCreateInfo{
+                .flags = vk::PipelineCreateFlagBits::eDispatchBase, .stage = stage, .layout = layout}};
+}
+
+} // namespace
+
+Kernel::Kernel(const Context& owner, const TexelTables& tables, const ShaderCompiler& compiler, std::string name,
+               const Specialization& specialization)
+    : impl_(std::make_unique<Impl>()) {
+    const Context::Impl& context = owner.impl();
+    impl_->name = std::move(name);
+    const SpirV spirv = compiler.compile(impl_->name);
+    impl_->interface = reflect(spirv);
+    const std::filesystem::path source = compiler.shaders() / "kernels" / (impl_->name + ".comp");
+    checkInterface(*impl_, context, {.file = source.string()});
+    checked("making kernel '" + impl_->name + '\'', [&] {
+        const vk::DescriptorSetLayout setLayout = *tables.impl().layout;
+        const vk::PushConstantRange range{.stageFlags = vk::ShaderStageFlagBits::eCompute,
+                                          .size = (impl_->interface.pushConstantBytes + 3U) & ~3U};
+        impl_->layout = {context.device, vk::PipelineLayoutCreateInfo{.setLayoutCount = 1,
+                                                                      .pSetLayouts = &setLayout,
+                                                                      .pushConstantRangeCount = 1,
+                                                                      .pPushConstantRanges = &range}};
+        impl_->pipeline = makePipeline(context.device, *impl_->layout, spirv, select(specialization, impl_->interface));
+        const auto handle = reinterpret_cast<std::uint64_t>(static_cast<VkPipeline>(*impl_->pipeline));
+        context.nameObject(vk::ObjectType::ePipeline, handle, impl_->name);
+    });
+}
+
+Kernel::~Kernel() = default;
+Kernel::Kernel(Kernel&&) noexcept = default;
+Kernel& Kernel::operator=(Kernel&&) noexcept = default;
+
+const std::string& Kernel::name() const {
+    return impl_->name;
+}
+
+const KernelInterface& Kernel::interface() const {
+    return impl_->interface;
+}
+
+} // namespace hyalite::gpu

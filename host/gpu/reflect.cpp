@@ -1,0 +1,142 @@
+// Reads a kernel's interface out of its SPIR-V with SPIRV-Cross: sizes, specialization constants, and the layout of
+// every struct that the host must match.
+#include "gpu/kernel.h"
+
+#include "base/error.h"
+
+#include <spirv_cross.hpp>
+
+#include <algorithm>
+#include <set>
+
+namespace hyalite::gpu {
+namespace {
+
+using spirv_cross::SPIRType;
+using spirv_cross::TypeID;
+
+// Walks from the push constants through members and device addresses.
+class LayoutReader {
+public:
+    LayoutReader(const spirv_cross::Compiler& compiler, KernelInterface& interface)
+        : compiler_(compiler), interface_(interface) {}
+
+    // Records the struct, and whatever its members contain or point to. Returns its alignment.
+    std::uint32_t visitStruct(TypeID id, const SPIRType& type) {
+        std::vector<StructMember> members;
+        std::uint32_t alignment = 1;
+        for (std::uint32_t i = 0; i < type.member_types.size(); ++i) {
+            alignment = std::max(alignment, visitMember(type, i, members));
+        }
+        const std::string name = compiler_.get_name(id);
+        const auto [known, isNew] = interface_.structs.try_emplace(name, members);
+        if (!isNew && !std::equal(members.begin(), members.end(), known->second.begin(), known->second.end(), same)) {
+            throw Error(ExitCode::BadInput, "struct '" + name + "' has two layouts in one kernel");
+        }
+        return alignment;
+    }
+
+private:
+    static bool same(const StructMember& a, const StructMember& b) {
+        return a.name == b.name && a.offset == b.offset && a.size == b.size;
+    }
+
+    // Appends the member's scalars and vectors; returns the alignment that scalar layout gives it.
+    std::uint32_t visitMember(const SPIRType& owner, std::uint32_t index, std::vector<StructMember>& members) {
+        const TypeID id = owner.member_types[index];
+        const SPIRType& type = compiler_.get_type(id);
+        const std::string name = compiler_.get_member_name(owner.self, index);
+        const std::uint32_t offset = compiler_.type_struct_member_offset(owner, index);
+        if (type.pointer) {
+            visitDeviceArray(type);
+            members.push_back({name, offset, sizeof(std::uint64_t)});
+            return sizeof(std::uint64_t);
+        }
+        if (type.basetype == SPIRType::Struct) {
+            const std::uint32_t alignment = visitStruct(type.self, type);
+            for (const StructMember& inner : interface_.structs.at(compiler_.get_name(type.self))) {
+                members.push_back({name + '.' + inner.name, offset + inner.offset, inner.size});
+            }
+            return alignment;
+        }
+        members.push_back({name, offset, std::uint32_t(compiler_.get_declared_struct_member_size(owner, index))});
+        return type.width / 8;
+    }
+
+    // A buffer_reference block; its one member is the array.
+    void visitDeviceArray(const SPIRType& pointer) {
+        const SPIRType& block = compiler_.get_type(pointer.parent_type);
+        if (!visitedBlocks_.insert(block.self).second || block.member_types.empty()) {
+            return;
+        }
+        const SPIRType& array = compiler_.get_type(block.member_types[0]);
+        if (array.array.empty()) {
+            return;
+        }
+        const SPIRType& element = compiler_.get_type(array.parent_type);
+        interface_.arrayStrides[elementName(element)] = compiler_.type_struct_member_array_stride(block, 0);
+        if (element.basetype == SPIRType::Struct) {
+            visitStruct(element.self, element);
+        }
+    }
+
+    // The struct's name, or GLSL's for a scalar or vector.
+    std::string elementName(const SPIRType& type) const {
+        const std::string size = std::to_string(type.vecsize);
+        switch (type.basetype) {
+        case SPIRType::Struct:
+            return compiler_.get_name(type.self);
+        case SPIRType::Float:
+            return type.vecsize == 1 ? "float" : "vec" + size;
+        case SPIRType::UInt:
+            return type.vecsize == 1 ? "uint" : "uvec" + size;
+        case SPIRType::Int:
+            return type.vecsize == 1 ? "int" : "ivec" + size;
+        default:
+            throw Error(ExitCode::BadInput, "device array of an element type that the host does not know");
+        }
+    }
+
+    const spirv_cross::Compiler& compiler_;
+    KernelInterface& interface_;
+    std::set<std::uint32_t> visitedBlocks_;
+};
+
+void readPushConstants(const spirv_cross::Compiler& compiler, KernelInterface& interface) {
+    const auto blocks = compiler.get_shader_resources().push_constant_buffers;
+    if (blocks.empty()) {
+        return;
+    }
+    const SPIRType& block = compiler.get_type(blocks[0].base_type_id);
+    LayoutReader reader(compiler, interface);
+    std::uint32_t alignment = 1;
+    for (const TypeID member : block.member_types) {
+        const SPIRType& type = compiler.get_type(member);
+        if (type.basetype != SPIRType::Struct || type.pointer) {
+            throw Error(ExitCode::BadInput, "push constants must be one Arguments struct");
+        }
+        alignment = std::max(alignment, reader.visitStruct(type.self, type));
+    }
+    // Rounded up as C++ rounds sizeof; scalar layout itself ends with the last member.
+    const auto end = std::uint32_t(compiler.get_declared_struct_size(block));
+    interface.pushConstantBytes = (end + alignment - 1) / alignment * alignment;
+}
+
+} // namespace
+
+KernelInterface reflect(const SpirV& spirv) {
+    KernelInterface interface;
+    try {
+        const spirv_cross::Compiler compiler(spirv);
+        interface.localSize = compiler.get_execution_mode_argument(spv::ExecutionModeLocalSize, 0);
+        for (const spirv_cross::SpecializationConstant& constant : compiler.get_specialization_constants()) {
+            interface.specializationConstants[compiler.get_name(constant.id)] = constant.constant_id;
+        }
+        readPushConstants(compiler, interface);
+    } catch (const spirv_cross::CompilerError& error) {
+        throw Error(ExitCode::BadInput, std::string("cannot read the SPIR-V: ") + error.what());
+    }
+    return interface;
+}
+
+} // namespace hyalite::gpu

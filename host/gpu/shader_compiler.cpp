@@ -1,0 +1,143 @@
+// Drives glslang: one compute kernel in, SPIR-V 1.6 for Vulkan 1.3 out.
+#include "gpu/shader_compiler.h"
+
+#include "base/error.h"
+#include "gpu/shader_sources.h"
+#include "gpu/spirv_cache.h"
+
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
+#include <glslang/build_info.h>
+
+#include <regex>
+
+namespace hyalite::gpu {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Changes whenever the options below change what comes out of the same source.
+constexpr const char* kCacheFormat = "hyalite 1, vulkan 1.3, spirv 1.6";
+
+constexpr auto kMessages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
+
+// glslang's tables, set up once in the life of the process.
+struct GlslangProcess {
+    GlslangProcess() { glslang::InitializeProcess(); }
+    ~GlslangProcess() { glslang::FinalizeProcess(); }
+    GlslangProcess(const GlslangProcess&) = delete;
+    GlslangProcess& operator=(const GlslangProcess&) = delete;
+};
+
+// Gives glslang the texts that were read beforehand: the same that the cache's key is made of, whatever is saved in the
+// meantime. Names are full paths.
+class Includer : public glslang::TShader::Includer {
+public:
+    Includer(const ShaderSources& sources, const SourceTexts& texts) : sources_(sources), texts_(texts) {}
+
+    IncludeResult* includeLocal(const char* name, const char* includer, std::size_t /*depth*/) override {
+        return include(name, includer);
+    }
+    // glslang asks here again after a failure above, and takes the reason from this answer.
+    IncludeResult* includeSystem(const char* name, const char* includer, std::size_t /*depth*/) override {
+        return include(name, includer);
+    }
+    void releaseInclude(IncludeResult* result) override { delete result; }
+
+private:
+    // glslang owns the result until it gives it back; an empty path marks a failure whose text is the reason.
+    IncludeResult* include(const std::string& name, const std::string& includer) const {
+        if (const std::optional<fs::path> file = sources_.resolve(name, includer)) {
+            if (const auto found = texts_.find(file->string()); found != texts_.end()) {
+                return new IncludeResult(found->first, found->second.data(), found->second.size(), nullptr);
+            }
+        }
+        return new IncludeResult("", refusal_.data(), refusal_.size(), nullptr);
+    }
+
+    const ShaderSources& sources_;
+    const SourceTexts& texts_;
+    std::string refusal_ = "no such file beside the including one or at the top of the shaders folder, and inside it";
+};
+
+// Turns glslang's log, "ERROR: file:line: message" line by line, into the exception for its first error.
+Error compileError(const std::string& kernel, const fs::path& file, const std::string& log) {
+    static const std::regex located(R"(ERROR: ([^\n]*?):(\d+): ([^\n]*))");
+    static const std::regex unlocated(R"(ERROR: ([^\n]*))");
+    const std::string prefix = "kernel '" + kernel + "': ";
+    std::smatch match;
+    if (std::regex_search(log, match, located)) {
+        return {ExitCode::BadInput, SourceLocation{match[1], std::stoi(match[2]), 0}, prefix + match[3].str()};
+    }
+    const bool found = std::regex_search(log, match, unlocated);
+    return {ExitCode::BadInput, SourceLocation{file.string(), 0, 0}, prefix + (found ? match[1].str() : log)};
+}
+
+SpirV compileSource(const std::string& kernel, const fs::path& file, const ShaderSources& sources,
+                    const SourceTexts& texts) {
+    static const GlslangProcess process;
+    glslang::TShader shader(EShLangCompute);
+    const std::string& text = texts.at(file.string());
+    const char* source = text.data();
+    const int length = int(text.size());
+    const std::string name = file.string();
+    const char* names = name.c_str();
+    shader.setStringsWithLengthsAndNames(&source, &length, &names, 1);
+    shader.setPreamble("#extension GL_GOOGLE_include_directive : require\n");
+    shader.setEnvInput(glslang::EShSourceGlsl, EShLangCompute, glslang::EShClientVulkan, 100);
+    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_3);
+    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_6);
+    Includer includer(sources, texts);
+    if (!shader.parse(GetDefaultResources(), 460, ENoProfile, false, true, kMessages, includer)) {
+        throw compileError(kernel, file, shader.getInfoLog());
+    }
+    glslang::TProgram program;
+    program.addShader(&shader);
+    if (!program.link(kMessages)) {
+        throw compileError(kernel, file, program.getInfoLog());
+    }
+    SpirV spirv;
+    spv::SpvBuildLogger logger;
+    glslang::SpvOptions options; // the driver optimises
+    glslang::GlslangToSpv(*program.getIntermediate(EShLangCompute), spirv, &logger, &options);
+    if (spirv.empty()) {
+        throw compileError(kernel, file, logger.getAllMessages());
+    }
+    return spirv;
+}
+
+std::string compilerVersion() {
+    return "glslang " + std::to_string(GLSLANG_VERSION_MAJOR) + '.' + std::to_string(GLSLANG_VERSION_MINOR) + '.' +
+           std::to_string(GLSLANG_VERSION_PATCH);
+}
+
+} // namespace
+
+ShaderCompiler::ShaderCompiler(fs::path shaders, fs::path cache)
+    : shaders_(std::move(shaders)), cache_(std::move(cache)) {}
+
+SpirV ShaderCompiler::compile(const std::string& kernel) const {
+    const ShaderSources sources(shaders_);
+    const fs::path file = (shaders_ / "kernels" / (kernel + ".comp")).lexically_normal();
+    if (!fs::is_regular_file(file)) {
+        throw Error(ExitCode::BadInput, "no kernel '" + kernel + "' (" + file.string() + " is not there)");
+    }
+    const SourceTexts texts = sources.reach(file);
+    std::string key = std::string(kCacheFormat) + '\n' + compilerVersion() + '\n';
+    for (const auto& [path, text] : texts) {
+        // Where the folder stands does not matter, what it holds does.
+        key += fs::path(path).lexically_relative(shaders_.lexically_normal()).string() + '\n' +
+               std::to_string(text.size()) + '\n' + text;
+    }
+    const SpirvCache cache(cache_);
+    const std::string name = kernel + '-' + SpirvCache::key(key);
+    if (std::optional<SpirV> cached = cache.load(name)) {
+        return *std::move(cached);
+    }
+    SpirV spirv = compileSource(kernel, file, sources, texts);
+    cache.store(name, spirv);
+    return spirv;
+}
+
+} // namespace hyalite::gpu

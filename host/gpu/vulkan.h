@@ -1,0 +1,26 @@
+// Vulkan's C++ bindings as this folder uses them, and the boundary where their exceptions become ours. Only .cpp files
+// of host/gpu include it.
+#pragma once
+
+#define VULKAN_HPP_NO_STRUCT_CONSTRUCTORS // so that create infos are written with designated initialisers
+#include <vulkan/vulkan_raii.hpp>
+
+#include "base/error.h"
+
+#include <functional>
+#include <string>
+#include <utility>
+
+namespace hyalite::gpu {
+
+// Runs `action`; a failed Vulkan call in it becomes Error(Device) that begins with `what`.
+template <class Action>
+decltype(auto) checked(const std::string& what, Action&& action) {
+    try {
+        return std::invoke(std::forward<Action>(action));
+    } catch (const vk::SystemError& error) {
+        throw Error(ExitCode::Device, what + ": " + error.what());
+    }
+}
+
+} // namespace hyalite::gpu
