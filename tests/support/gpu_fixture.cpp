@@ -1,0 +1,38 @@
+// One context for the whole program, because opening a device takes longer than most tests.
+#include "support/gpu_fixture.h"
+
+#include "shaders/shared/scene_records.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace hyalite::testing {
+
+Gpu::Gpu() : compiler_(HYALITE_SOURCE_DIR "/shaders", HYALITE_TEST_CACHE) {
+    gpu::ContextOptions options;
+    options.validation = std::getenv("HYALITE_VALIDATION") != nullptr;
+    options.onValidationMessage = [this](const std::string& text) {
+        ++messages_;
+        std::fprintf(stderr, "validation: %s\n", text.c_str());
+    };
+    context_ = std::make_unique<gpu::Context>(options);
+    tables_ = std::make_unique<gpu::TexelTables>(*context_, TABLE_COUNT);
+}
+
+// Runs after main, so that what the layers say of the clean-up counts too; Catch2 has given its verdict by then.
+Gpu::~Gpu() {
+    tables_.reset();
+    context_.reset();
+    if (messages_ > 0) {
+        std::fprintf(stderr, "%u validation messages\n", messages_.load());
+        std::fflush(nullptr);
+        std::_Exit(EXIT_FAILURE);
+    }
+}
+
+Gpu& Gpu::shared() {
+    static Gpu gpu;
+    return gpu;
+}
+
+} // namespace hyalite::testing

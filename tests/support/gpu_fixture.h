@@ -1,0 +1,37 @@
+// The device that all tests of one program share. With HYALITE_VALIDATION set in the environment the validation layers
+// watch it, and any message of theirs fails the program.
+#pragma once
+
+#include "gpu/commands.h"
+#include "gpu/shader_compiler.h"
+
+#include <atomic>
+#include <memory>
+
+namespace hyalite::testing {
+
+class Gpu {
+public:
+    ~Gpu();
+    Gpu(const Gpu&) = delete;
+    Gpu& operator=(const Gpu&) = delete;
+
+    // Made at first use; a machine without a usable device fails the test that asks.
+    static Gpu& shared();
+
+    [[nodiscard]] const gpu::Context& context() const { return *context_; }
+    // Of the source tree's shaders; its cache is in the build folder.
+    [[nodiscard]] const gpu::ShaderCompiler& compiler() const { return compiler_; }
+    // All TABLE_* bindings of shaders/shared/scene_records.h.
+    [[nodiscard]] gpu::TexelTables& tables() { return *tables_; }
+
+private:
+    Gpu();
+
+    std::atomic<unsigned> messages_ = 0; // of the validation layers
+    std::unique_ptr<gpu::Context> context_;
+    gpu::ShaderCompiler compiler_;
+    std::unique_ptr<gpu::TexelTables> tables_;
+};
+
+} // namespace hyalite::testing
