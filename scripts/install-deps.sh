@@ -20,10 +20,12 @@ fail() {
     exit 1
 }
 
-render=(cmake ninja-build g++ libvulkan-dev glslang-dev spirv-tools libglm-dev libstb-dev libopenexr-dev
-    libyaml-cpp-dev libcli11-dev nlohmann-json3-dev libspirv-cross-c-shared-dev zlib1g-dev mesa-vulkan-drivers)
+# glslang-tools: glslang's CMake package insists on its programs being there.
+render=(cmake ninja-build g++ libvulkan-dev glslang-dev glslang-tools spirv-tools libspirv-cross-c-shared-dev libglm-dev
+    libstb-dev libopenexr-dev zlib1g-dev libyaml-cpp-dev libcli11-dev nlohmann-json3-dev libnanoflann-dev
+    mesa-vulkan-drivers)
 # clang-format 19: the one version that both Debian 12 and 13 have, so that both judge a line alike.
-test=(catch2 libnanoflann-dev vulkan-validationlayers python3 shellcheck clang-format-19)
+test=(catch2 vulkan-validationlayers python3 shellcheck clang-format-19)
 lint=(clang clang-tidy)
 # Lavapipe before Mesa 25 renders wrong pixels, and the tests are written for Catch2 v3.
 declare -A atLeast=([mesa-vulkan-drivers]=25 [catch2]=3)
