@@ -31,6 +31,7 @@ struct ShadeSurfaceArguments {
     MaterialArray materials;
     LightArray lights;
     NormalArray normals;
+    InstanceArray instances;
     VisiblePointArray visiblePoints; // out
     ColorArray emitted;              // out
     RayArray nextRays;               // out, 1 + split slots per path
@@ -80,6 +81,7 @@ struct ScatterPhotonArguments {
     PhotonPathArray paths;
     MaterialArray materials;
     NormalArray normals;
+    InstanceArray instances;
     PhotonArray photons;       // out, at firstPhoton + thread; surface = kNone where none is stored
     RayArray nextRays;         // out
     PhotonPathArray nextPaths; // out

@@ -11,7 +11,7 @@ SHARED_CONSTANT kGroupSize = 64u;
 SHARED_CONSTANT kGroupsPerRow = 32768u;
 
 // Entries of a ray's traversal stack. The BVH builder computes what a tree needs and refuses one that needs more.
-SHARED_CONSTANT kTraversalStack = 48u;
+SHARED_CONSTANT kTraversalStack = 64u;
 
 // Longest path, in segments; a photon stores its length in 8 bits.
 SHARED_CONSTANT kMaxDepth = 255u;

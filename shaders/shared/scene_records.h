@@ -57,6 +57,14 @@ SHARED_CONSTANT kShapeMesh = 2u;
 SHARED_CONSTANT kTexelsPerTriangle = 3u;
 DEVICE_ARRAY(vec3, NormalArray); // zero vector: flat
 
+// What surface evaluation needs of an object beyond its texels; one per object.
+struct InstanceRecord {
+    vec4 row0; // rows of the 3x4 matrix from object to world space; the identity for shapes kept in world space
+    vec4 row1;
+    vec4 row2;
+};
+DEVICE_ARRAY(InstanceRecord, InstanceArray);
+
 // A node of the 4-wide BVH is four texels of the node table:
 //   (origin.xyz, exponents x | y << 8 | z << 16) (four child words) (lo.x, lo.y, lo.z, hi.x of the children, 8 bits
 //   each) (hi.y, hi.z, -, -)

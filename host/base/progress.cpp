@@ -1,0 +1,60 @@
+#include "base/progress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <unistd.h>
+
+namespace hyalite {
+
+namespace {
+
+constexpr auto kRedrawInterval = std::chrono::milliseconds(100);
+constexpr std::size_t kBarWidth = 30;
+
+// Back to the line's start, and clear it.
+constexpr const char* kWipe = "\r\x1b[K";
+
+std::string minutes(double seconds) {
+    const auto whole = static_cast<long>(std::ceil(std::max(0.0, seconds)));
+    const std::string rest = std::to_string(whole % 60);
+    return std::to_string(whole / 60) + (rest.size() < 2 ? ":0" : ":") + rest;
+}
+
+} // namespace
+
+std::string progressLine(std::size_t done, std::size_t total, double seconds, double timeLimit) {
+    double share = static_cast<double>(done) / static_cast<double>(total);
+    double left = share > 0 ? seconds / share - seconds : 0;
+    if (timeLimit > 0 && timeLimit - seconds < left) {
+        left = timeLimit - seconds;
+        share = std::min(1.0, seconds / timeLimit);
+    }
+    const auto filled = static_cast<std::size_t>(share * static_cast<double>(kBarWidth));
+    const std::string percent = std::to_string(static_cast<int>(100 * share));
+    std::string line = '[' + std::string(filled, '#') + std::string(kBarWidth - filled, ' ') + "] ";
+    line += std::string(3 - std::min<std::size_t>(3, percent.size()), ' ') + percent + " %  ";
+    line += std::to_string(done) + '/' + std::to_string(total) + " passes  ";
+    return line + (done == 0 ? "starting" : minutes(left) + " left");
+}
+
+ProgressBar::ProgressBar(bool enabled) : shown_(enabled && isatty(STDERR_FILENO) != 0) {}
+
+ProgressBar::~ProgressBar() {
+    if (drawn_) {
+        std::fputs(kWipe, stderr);
+    }
+}
+
+void ProgressBar::update(std::size_t done, std::size_t total, double seconds, double timeLimit) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!shown_ || now < next_) {
+        return;
+    }
+    next_ = now + kRedrawInterval;
+    drawn_ = true;
+    std::fputs((kWipe + progressLine(done, total, seconds, timeLimit)).c_str(), stderr);
+    std::fflush(stderr);
+}
+
+} // namespace hyalite

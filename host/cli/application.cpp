@@ -1,0 +1,52 @@
+#include "cli/application.h"
+
+#include "cli/command.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <new>
+
+namespace hyalite::cli {
+
+namespace {
+
+int fail(ExitCode code, const std::string& what) {
+    std::cerr << "hyalite: " << what << '\n';
+    return static_cast<int>(code);
+}
+
+int parseAndRun(int argc, char** argv) {
+    CLI::App app{"hyalite renders light through glass: photon mapping in Vulkan compute shaders."};
+    app.name("hyalite");
+    app.set_version_flag("--version", "hyalite " HYALITE_VERSION);
+    app.require_subcommand(1);
+    ExitCode exit = ExitCode::Done;
+    addRender(app, exit);
+    addCompare(app, exit);
+    addDoctor(app, exit);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) { // --help, --version
+            return app.exit(error);
+        }
+        return fail(ExitCode::WrongUsage, std::string(error.what()) + " (see hyalite --help)");
+    }
+    return static_cast<int>(exit);
+}
+
+} // namespace
+
+int run(int argc, char** argv) {
+    try {
+        return parseAndRun(argc, argv);
+    } catch (const Error& error) {
+        return fail(error.code(), error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(ExitCode::Device, "out of memory (a smaller --resolution or --photons needs less)");
+    } catch (const std::exception& error) {
+        return fail(ExitCode::Device, std::string("unexpected failure: ") + error.what());
+    }
+}
+
+} // namespace hyalite::cli

@@ -1,0 +1,189 @@
+// `hyalite render`: a scene file to pictures, on the device or by the reference.
+#include "reference/render.h"
+#include "base/progress.h"
+#include "base/stopwatch.h"
+#include "cli/command.h"
+#include "cli/render_report.h"
+#include "cli/shader_folder.h"
+#include "gpu/self_test.h"
+#include "image/image_io.h"
+#include "scene/load_scene.h"
+#include "scene/settings.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+namespace hyalite::cli {
+
+namespace {
+
+struct RenderCommand {
+    std::string scene;
+    std::vector<std::string> outputs;
+    std::string backend = "vulkan";
+    std::string device;
+    std::string shaders;
+    double time = 0; // [s]; 0: no limit
+    bool validation = false;
+    bool profile = false;
+    bool json = false;
+    bool quiet = false;
+    // Options that stand for a key of the scene file: (option, key, value)
+    struct Setting {
+        std::string option;
+        std::string key;
+        std::optional<std::string> value;
+    };
+    std::vector<Setting> shorthands{{"--integrator", "render.integrator", {}}, // first: ranges depend on it
+                                    {"--resolution", "camera.resolution", {}}, {"--passes", "render.passes", {}},
+                                    {"--samples", "render.passes", {}},        {"--photons", "render.photons", {}},
+                                    {"--max-depth", "render.max_depth", {}},   {"--seed", "render.seed", {}}};
+    std::vector<std::string> settings; // key=value
+};
+
+Scene loadWithSettings(const RenderCommand& command) {
+    Scene scene = loadScene(command.scene);
+    for (const auto& setting : command.shorthands) {
+        if (setting.value) {
+            applySetting(scene, setting.key, *setting.value, setting.option);
+        }
+    }
+    for (const std::string& setting : command.settings) {
+        const std::size_t equals = setting.find('=');
+        if (equals == std::string::npos) {
+            throw Error(ExitCode::WrongUsage, "--set " + setting + " has no value", "write --set key=value");
+        }
+        applySetting(scene, setting.substr(0, equals), setting.substr(equals + 1));
+    }
+    return scene;
+}
+
+std::string name(Integrator integrator) {
+    return integrator == Integrator::Whitted ? "whitted" : "ppm";
+}
+
+Image renderOnDevice(const RenderCommand& command, const Scene& scene, ProgressBar& bar, RenderReport& report) {
+    gpu::ContextOptions options;
+    options.device = command.device;
+    options.validation = command.validation;
+    const gpu::Context context(options);
+    const gpu::ShaderCompiler compiler(findShaders(command.shaders), cacheFolder());
+    gpu::selfTest(context, compiler);
+    render::RenderOptions renderOptions;
+    renderOptions.profile = command.profile;
+    renderOptions.timeLimit = command.time;
+    renderOptions.onPass = [&](const render::Progress& p) {
+        bar.update(p.passes, p.ofPasses, p.seconds, command.time);
+    };
+    render::RenderResult result = render::render(context, compiler, scene, renderOptions);
+    report.device = context.info().name + ", " + context.info().driver;
+    report.passes = result.passes;
+    report.setupSeconds = result.setupSeconds;
+    report.renderSeconds = result.renderSeconds;
+    report.counts = result.counts;
+    report.stages = std::move(result.stages);
+    if (context.validationMessages() > 0) {
+        throw Error(ExitCode::Device, std::to_string(context.validationMessages()) + " validation messages");
+    }
+    return std::move(result.image);
+}
+
+Image renderByReference(const RenderCommand& command, const Scene& scene, ProgressBar& bar, RenderReport& report) {
+    const Stopwatch watch;
+    report.device = "CPU, double precision";
+    reference::RenderOptions options;
+    options.afterPass = [&](std::uint32_t passes) {
+        const render::Progress progress{passes, scene.render.passes, watch.seconds()};
+        bar.update(passes, scene.render.passes, progress.seconds, command.time);
+        report.passes = passes;
+        report.renderSeconds = progress.seconds;
+        return render::timeForAnotherPass(progress, command.time);
+    };
+    return reference::render(scene, options);
+}
+
+void renderScene(RenderCommand command) {
+    const Stopwatch watch;
+    const Scene scene = loadWithSettings(command);
+    if (command.outputs.empty()) {
+        command.outputs.push_back(std::filesystem::path(command.scene).stem().string() + ".png");
+    }
+    for (const std::string& output : command.outputs) {
+        checkImageWritable(output);
+    }
+
+    RenderReport report;
+    report.scene = command.scene;
+    report.integrator = name(scene.render.integrator);
+    report.backend = command.backend;
+    report.seed = scene.render.seed;
+    report.resolution = scene.camera.resolution;
+    report.outputs = command.outputs;
+    Image image;
+    {
+        ProgressBar bar(!command.quiet && !command.json);
+        image = command.backend == "reference" ? renderByReference(command, scene, bar, report)
+                                               : renderOnDevice(command, scene, bar, report);
+    }
+    for (const std::string& output : command.outputs) {
+        writeImage(output, image,
+                   {{"software", "hyalite " HYALITE_VERSION},
+                    {"scene", std::filesystem::path(command.scene).filename().string()},
+                    {"integrator", report.integrator},
+                    {"backend", report.backend},
+                    {"seed", std::to_string(report.seed)},
+                    {"passes", std::to_string(report.passes)}});
+    }
+    report.totalSeconds = watch.seconds();
+
+    if (command.json) {
+        std::cout << jsonReport(report) << '\n';
+        return;
+    }
+    if (command.profile) {
+        std::cout << stageTable(report);
+    }
+    if (!command.quiet) {
+        for (const std::string& output : command.outputs) {
+            std::cout << std::filesystem::absolute(output).lexically_normal().string() << ": " << report.resolution.x
+                      << " x " << report.resolution.y << ", " << report.passes << " passes in "
+                      << std::round(10 * report.totalSeconds) / 10 << " s\n";
+        }
+    }
+}
+
+} // namespace
+
+void addRender(CLI::App& app, ExitCode&) {
+    const auto command = std::make_shared<RenderCommand>();
+    CLI::App* sub = app.add_subcommand("render", "render a scene to pictures");
+    sub->add_option("SCENE", command->scene, "scene file (YAML)")->required();
+    sub->add_option("-o,--output", command->outputs, "picture to write, .png or .exr; may be given several times");
+    const auto shorthand = [&](std::size_t index, const std::string& text) {
+        RenderCommand::Setting& setting = command->shorthands[index];
+        sub->add_option(setting.option, setting.value, text);
+    };
+    shorthand(0, "ppm (progressive photon mapping) or whitted (recursive ray tracing)");
+    shorthand(1, "picture size, WIDTHxHEIGHT");
+    shorthand(2, "passes, each one sample per pixel");
+    shorthand(3, "the same as --passes");
+    shorthand(4, "photons emitted per pass");
+    shorthand(5, "longest path in segments; whitted: reflections and refractions in a row");
+    shorthand(6, "seed of the random numbers");
+    sub->add_option("--backend", command->backend, "vulkan, or reference (CPU, double precision)")
+        ->check(CLI::IsMember({"vulkan", "reference"}));
+    sub->add_option("--device", command->device, "part of a device's name, or its number (see hyalite doctor)");
+    sub->add_option("--time", command->time, "stop when this many seconds of rendering would be exceeded")
+        ->check(CLI::PositiveNumber);
+    sub->add_option("--shaders", command->shaders, "folder of shaders to use instead of the installed ones");
+    sub->add_option("--set", command->settings, "set a key of the scene file, e.g. --set render.radius=0.01");
+    sub->add_flag("--validation", command->validation, "check every Vulkan call with the validation layers");
+    sub->add_flag("--profile", command->profile, "print a table of the stages' times");
+    sub->add_flag("--json", command->json, "print one JSON object instead of text");
+    sub->add_flag("--quiet", command->quiet, "print nothing but errors");
+    sub->callback([command] { renderScene(*command); });
+}
+
+} // namespace hyalite::cli

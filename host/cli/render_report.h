@@ -1,0 +1,32 @@
+// What a render says of itself afterwards: a line, a table of stages, or one JSON object.
+#pragma once
+
+#include "render/renderer.h"
+
+#include <string>
+#include <vector>
+
+namespace hyalite::cli {
+
+struct RenderReport {
+    std::string scene;
+    std::string integrator;
+    std::string backend;
+    std::string device; // name and driver
+    std::uint32_t seed = 0;
+    glm::uvec2 resolution{0};
+    std::vector<std::string> outputs;
+    std::uint32_t passes = 0;
+    double totalSeconds = 0; // from start to written files
+    double setupSeconds = 0;
+    double renderSeconds = 0;
+    render::Counts counts;
+    std::map<std::string, gpu::StageTime> stages;
+};
+
+[[nodiscard]] std::string jsonReport(const RenderReport& report);
+
+// Stages by falling share: seconds, share of all stages, dispatches, nanoseconds a thread.
+[[nodiscard]] std::string stageTable(const RenderReport& report);
+
+} // namespace hyalite::cli

@@ -1,0 +1,52 @@
+#include "cli/shader_folder.h"
+
+#include "base/error.h"
+
+#include <cstdlib>
+
+namespace hyalite::cli {
+
+namespace {
+
+bool holdsShaders(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    return std::filesystem::is_directory(folder / "kernels", ignored) &&
+           std::filesystem::is_directory(folder / "shared", ignored);
+}
+
+} // namespace
+
+std::filesystem::path findShaders(const std::string& given) {
+    if (!given.empty()) {
+        if (!holdsShaders(given)) {
+            throw Error(ExitCode::WrongUsage, given + " is not a folder of shaders",
+                        "it should hold the folders kernels, lib and shared");
+        }
+        return given;
+    }
+    std::error_code error;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+    const std::filesystem::path installed = program.parent_path().parent_path() / "share/hyalite/shaders";
+    if (!error && holdsShaders(installed)) {
+        return installed;
+    }
+    if (holdsShaders(HYALITE_SHADER_DIR)) {
+        return HYALITE_SHADER_DIR;
+    }
+    throw Error(ExitCode::WrongUsage,
+                "the shaders folder is gone: neither " + installed.string() + " nor " + HYALITE_SHADER_DIR +
+                    " is there",
+                "name it with --shaders DIR");
+}
+
+std::filesystem::path cacheFolder() {
+    if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache != '\0') {
+        return std::filesystem::path(cache) / "hyalite";
+    }
+    if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') {
+        return std::filesystem::path(home) / ".cache/hyalite";
+    }
+    return {};
+}
+
+} // namespace hyalite::cli

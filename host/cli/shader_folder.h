@@ -1,0 +1,16 @@
+// Where the program finds its shaders and keeps what it compiled of them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace hyalite::cli {
+
+// The folder with kernels/, lib/ and shared/: `given` if not empty, else the installed one beside the program, else
+// the source tree's. Throws Error(WrongUsage) when the folder is not one of shaders.
+[[nodiscard]] std::filesystem::path findShaders(const std::string& given);
+
+// $XDG_CACHE_HOME/hyalite or ~/.cache/hyalite; empty (no cache) when the user has neither.
+[[nodiscard]] std::filesystem::path cacheFolder();
+
+} // namespace hyalite::cli

@@ -1,0 +1,159 @@
+// Turns the binary tree into 4-wide nodes with children's boxes in 8 bits a side [Ylitie17]: 64 bytes a node.
+#include "geometry/bvh.h"
+
+#include "shaders/shared/limits.h"
+#include "shaders/shared/scene_records.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+namespace hyalite {
+
+namespace {
+
+using shared::kTexelsPerNode;
+
+constexpr int kExponentBias = 127;
+
+// The grid that a node's child boxes are rounded to: origin + byte * 2^(exponent - bias) along each axis.
+struct Frame {
+    glm::vec3 origin{0};
+    std::array<int, 3> exponent{1, 1, 1};
+
+    // Boxes grow by a few roundings of their coordinates first: what the ray's own rounding may miss.
+    static glm::dvec3 padding(const Aabb& node) {
+        return glm::dvec3(glm::max(glm::abs(node.lower), glm::abs(node.upper))) * 0x1p-20 + 1e-30;
+    }
+
+    explicit Frame(const Aabb& node) {
+        if (node.empty()) {
+            return;
+        }
+        const glm::dvec3 pad = padding(node);
+        for (int axis = 0; axis < 3; ++axis) {
+            const double lower = static_cast<double>(node.lower[axis]) - 2 * pad[axis];
+            origin[axis] = std::nextafter(static_cast<float>(lower), -std::numeric_limits<float>::infinity());
+            const double extent =
+                static_cast<double>(node.upper[axis]) + 2 * pad[axis] - static_cast<double>(origin[axis]);
+            int e = 0;
+            std::frexp(extent / 255.0, &e); // extent / 255 <= 2^e
+            exponent[static_cast<std::size_t>(axis)] = std::clamp(e + kExponentBias, 1, 254);
+        }
+    }
+
+    [[nodiscard]] double steps(double coordinate, int axis) const {
+        const int e = exponent[static_cast<std::size_t>(axis)] - kExponentBias;
+        return (coordinate - static_cast<double>(origin[axis])) * std::ldexp(1.0, -e);
+    }
+    [[nodiscard]] std::uint32_t lower(const Aabb& box, double pad, int axis) const {
+        const double q = std::floor(steps(static_cast<double>(box.lower[axis]) - pad, axis));
+        return static_cast<std::uint32_t>(std::clamp(q, 0.0, 255.0));
+    }
+    [[nodiscard]] std::uint32_t upper(const Aabb& box, double pad, int axis) const {
+        const double q = std::ceil(steps(static_cast<double>(box.upper[axis]) + pad, axis));
+        return static_cast<std::uint32_t>(std::clamp(q, 0.0, 255.0));
+    }
+    [[nodiscard]] glm::uvec4 texel() const {
+        const auto bits = static_cast<std::uint32_t>(exponent[0] | exponent[1] << 8 | exponent[2] << 16);
+        return {std::bit_cast<std::uint32_t>(origin.x), std::bit_cast<std::uint32_t>(origin.y),
+                std::bit_cast<std::uint32_t>(origin.z), bits};
+    }
+};
+
+class Packer {
+public:
+    explicit Packer(const BinaryBvh& binary) : binary_(binary) {}
+
+    Bvh pack() {
+        bvh_.order = binary_.order;
+        bvh_.stackEntries = packNode(children(0), binary_.nodes[0].box);
+        return std::move(bvh_);
+    }
+
+private:
+    using Children = std::vector<std::uint32_t>; // up to four binary nodes
+
+    [[nodiscard]] bool isLeaf(std::uint32_t slot) const { return binary_.nodes[slot].right == 0; }
+
+    // Opens the widest inner node until there are four. A root that is itself a leaf is its own only child.
+    [[nodiscard]] Children children(std::uint32_t slot) const {
+        if (binary_.order.empty()) {
+            return {};
+        }
+        Children list{slot};
+        while (list.size() < 4) {
+            auto widest = list.end();
+            for (auto it = list.begin(); it != list.end(); ++it) {
+                if (!isLeaf(*it) && (widest == list.end() ||
+                                     binary_.nodes[*it].box.halfArea() > binary_.nodes[*widest].box.halfArea())) {
+                    widest = it;
+                }
+            }
+            if (widest == list.end()) {
+                break;
+            }
+            const std::uint32_t opened = *widest;
+            *widest = opened + 1;
+            list.insert(widest + 1, binary_.nodes[opened].right);
+        }
+        return list;
+    }
+
+    // Appends the node and all below it; returns the stack entries that traversal from here needs.
+    std::uint32_t packNode(const Children& list, const Aabb& box) {
+        const std::size_t node = bvh_.texels.size();
+        const Frame frame(box);
+        const glm::dvec3 pad = list.empty() ? glm::dvec3(0) : Frame::padding(box);
+        glm::uvec4 words(shared::kNone);
+        glm::uvec4 low(0);
+        glm::uvec4 high(0);
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            const Aabb& child = binary_.nodes[list[i]].box;
+            const auto shift = static_cast<std::uint32_t>(8 * i);
+            for (int axis = 0; axis < 3; ++axis) {
+                low[axis] |= frame.lower(child, pad[axis], axis) << shift;
+            }
+            low[3] |= frame.upper(child, pad[0], 0) << shift;
+            high[0] |= frame.upper(child, pad[1], 1) << shift;
+            high[1] |= frame.upper(child, pad[2], 2) << shift;
+        }
+        bvh_.texels.insert(bvh_.texels.end(), {frame.texel(), words, low, high});
+
+        std::uint32_t below = 1;
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            const BinaryNode& child = binary_.nodes[list[i]];
+            if (isLeaf(list[i])) {
+                words[static_cast<int>(i)] = shared::kLeafBit | child.count << shared::kLeafCountShift | child.first;
+            } else {
+                words[static_cast<int>(i)] = static_cast<std::uint32_t>(bvh_.texels.size() / kTexelsPerNode);
+                below = std::max(below, packNode(children(list[i]), child.box));
+            }
+        }
+        bvh_.texels[node + 1] = words;
+        return static_cast<std::uint32_t>(std::max<std::size_t>(list.size(), 1) - 1) + below;
+    }
+
+    const BinaryBvh& binary_;
+    Bvh bvh_;
+};
+
+} // namespace
+
+Bvh packBvh(const BinaryBvh& binary) {
+    return Packer(binary).pack();
+}
+
+void relocate(Bvh& bvh, std::uint32_t firstNode, std::uint32_t firstElement) {
+    for (std::size_t node = 0; node < bvh.texels.size(); node += kTexelsPerNode) {
+        for (int i = 0; i < 4; ++i) {
+            std::uint32_t& word = bvh.texels[node + 1][i];
+            if (word != shared::kNone) {
+                word += (word & shared::kLeafBit) != 0 ? firstElement : firstNode;
+            }
+        }
+    }
+}
+
+} // namespace hyalite

@@ -1,0 +1,61 @@
+#include "render/photon_grid.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace hyalite::render {
+
+namespace {
+
+// A cell is as wide as a search, and a little more: a rounding must not push a photon two cells away.
+constexpr float kCellSize = 2.002F; // [search radii]
+
+constexpr std::uint32_t kLeastBuckets = 1U << 10;
+
+} // namespace
+
+PhotonGrid::PhotonGrid(Device& device)
+    : countCells_(device.kernel("count_cells")), fillCells_(device.kernel("fill_cells")),
+      orderCells_(device.kernel("order_cells")), sortPhotons_(device.kernel("sort_photons")), prefixSum_(device) {
+    reserve(device, 1);
+}
+
+void PhotonGrid::reserve(Device& device, std::uint32_t slots) {
+    // One bucket for every two slots: about half of the slots hold a photon
+    const std::uint32_t buckets = std::max(kLeastBuckets, std::bit_ceil(slots / 2));
+    if (cellCounts_.count() < buckets) {
+        cellCounts_ = {device.context, buckets, "photons per cell"};
+        cellStarts_ = {device.context, buckets + std::size_t{1}, "cell starts"};
+    }
+    if (ranks_.count() < slots) {
+        const std::size_t room = slots + slots / 4; // passes differ a little
+        ranks_ = {device.context, room, "photon ranks"};
+        order_ = {device.context, room, "photon order"};
+        sorted_ = {device.context, room, "sorted photons"};
+        device.tables.set(TABLE_PHOTONS, sorted_.buffer(), gpu::TexelFormat::Float4);
+    }
+    grid_.bucketMask = buckets - 1;
+}
+
+void PhotonGrid::build(Device& device, const gpu::Array<shared::Photon>& photons, std::uint32_t slots, float radius) {
+    device.commands.finish();
+    reserve(device, slots);
+    grid_.inverseCellSize = 1 / (kCellSize * radius);
+    const std::uint32_t buckets = grid_.bucketMask + 1;
+
+    // How many photons fall into each bucket, and where each bucket's photons begin
+    device.commands.clear(cellCounts_.buffer());
+    device.commands.run(countCells_, shared::CountCellsArguments{photons, cellCounts_, ranks_, grid_, slots}, slots);
+    prefixSum_.run(device, cellCounts_, cellStarts_, buckets);
+    // List them bucket by bucket, in the order in which they were emitted
+    device.commands.run(fillCells_, shared::FillCellsArguments{photons, cellStarts_, ranks_, order_, grid_, slots},
+                        slots);
+    device.commands.run(orderCells_, shared::OrderCellsArguments{cellStarts_, order_, buckets}, buckets);
+    device.commands.finish();
+    photonCount_ = cellStarts_.host()[buckets];
+    // And move them there
+    device.commands.run(sortPhotons_, shared::SortPhotonsArguments{photons, order_, sorted_, photonCount_},
+                        photonCount_);
+}
+
+} // namespace hyalite::render

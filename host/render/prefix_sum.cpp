@@ -1,0 +1,43 @@
+#include "render/prefix_sum.h"
+
+#include <array>
+
+namespace hyalite::render {
+
+using shared::kScanChunk;
+
+PrefixSum::PrefixSum(const Device& device)
+    : sumChunks_(device.kernel("sum_chunks")), scanChunks_(device.kernel("scan_chunks")),
+      zero_(device.context, std::span<const shared::uint>(std::array{0U}), "zero") {}
+
+void PrefixSum::run(Device& device, const gpu::Array<shared::uint>& values, const gpu::Array<shared::uint>& sums,
+                    std::uint32_t count) {
+    // Room for every level first: buffers in use by recorded commands must not be replaced
+    std::size_t level = 0;
+    for (std::uint32_t n = count; n > kScanChunk; ++level) {
+        n = (n + kScanChunk - 1) / kScanChunk;
+        if (level == levels_.size()) {
+            levels_.emplace_back();
+        }
+        if (levels_[level].sums.count() < n) {
+            device.commands.finish();
+            levels_[level] = {{device.context, n, "chunk sums"}, {device.context, n + 1, "chunk offsets"}};
+        }
+    }
+    scan(device, values, sums, count, 0);
+}
+
+void PrefixSum::scan(Device& device, shared::UintArray values, shared::UintArray sums, std::uint32_t count,
+                     std::size_t level) {
+    const std::uint32_t chunks = (count + kScanChunk - 1) / kScanChunk;
+    shared::UintArray offsets = zero_;
+    if (chunks > 1) {
+        const Level& l = levels_[level];
+        device.commands.run(sumChunks_, shared::SumChunksArguments{values, l.sums, count}, chunks);
+        scan(device, l.sums, l.offsets, chunks, level + 1);
+        offsets = l.offsets;
+    }
+    device.commands.run(scanChunks_, shared::ScanChunksArguments{values, offsets, sums, count}, chunks);
+}
+
+} // namespace hyalite::render

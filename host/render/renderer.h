@@ -1,0 +1,43 @@
+// Renders a scene on the device: set-up, the loop over passes, and what it took.
+#pragma once
+
+#include "gpu/commands.h"
+#include "gpu/shader_compiler.h"
+#include "image/image.h"
+#include "render/integrator.h"
+#include "scene/scene.h"
+
+#include <functional>
+
+namespace hyalite::render {
+
+struct Progress {
+    std::uint32_t passes = 0;   // done
+    std::uint32_t ofPasses = 0; // asked for
+    double seconds = 0;         // since the first pass began
+};
+
+struct RenderOptions {
+    bool profile = false; // time every stage
+    double timeLimit = 0; // start no pass that would probably end later than this [s]; 0: no limit
+    std::function<void(const Progress&)> onPass; // after every pass
+};
+
+struct RenderResult {
+    Image image;
+    std::uint32_t passes = 0;
+    double setupSeconds = 0;  // kernels, scene, hierarchies
+    double renderSeconds = 0; // passes
+    Counts counts;
+    std::map<std::string, gpu::StageTime> stages; // with profile
+};
+
+// Renders scene.render.passes passes, fewer where the time limit comes first (one at least).
+// Throws Error(Device) when the device has no room for the scene or fails.
+[[nodiscard]] RenderResult render(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const Scene& scene,
+                                  const RenderOptions& options);
+
+// Whether a pass that takes as long as the passes before it on average would end within `timeLimit` [s]; 0: always.
+[[nodiscard]] bool timeForAnotherPass(const Progress& progress, double timeLimit);
+
+} // namespace hyalite::render

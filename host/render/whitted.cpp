@@ -1,0 +1,106 @@
+#include "render/whitted.h"
+
+#include <utility>
+
+namespace hyalite::render {
+
+namespace {
+
+constexpr std::uint32_t kSplit = 1; // both children of a dielectric are followed
+constexpr std::uint32_t kChildren = 1 + kSplit;
+
+} // namespace
+
+Whitted::Level::Level(const gpu::Context& context, std::uint32_t capacity)
+    : queue(context, capacity, kChildren), visiblePoints(context, capacity, "visible points"),
+      shadowRays(context, capacity, "shadow rays"), contributions(context, capacity, "light contributions"),
+      emitted(context, capacity, "emitted light"), direct(context, capacity, "direct light") {}
+
+Whitted::Whitted(Device& device, const Scene& scene, const DeviceScene& deviceScene, const Film& film)
+    : device_(device), scene_(scene), deviceScene_(deviceScene), film_(film),
+      generateCameraRays_(device.kernel("generate_camera_rays")),
+      traceClosest_(device.kernel("trace_closest", deviceScene.specialization)),
+      shadeSurface_(device.kernel("shade_surface")), compactCameraPaths_(device.kernel("compact_camera_paths")),
+      sampleLights_(device.kernel("sample_lights")),
+      traceShadow_(device.kernel("trace_shadow", deviceScene.specialization)), sumPaths_(device.kernel("sum_paths")),
+      prefixSum_(device), level_(device.context, film.pixelCount()) {}
+
+void Whitted::renderPass(std::uint32_t pass) {
+    CameraQueue& queue = level_.queue;
+    queue.count = film_.pixelCount();
+    device_.commands.run(generateCameraRays_,
+                         shared::GenerateCameraRaysArguments{queue.rays, queue.paths, deviceScene_.camera, queue.count,
+                                                             scene_.render.seed, pass},
+                         queue.count);
+    // One level of every pixel's tree of rays at a time
+    for (std::uint32_t depth = 1; level_.queue.count > 0; ++depth) {
+        // Hits, their emission, and the reflected and refracted rays that go on from them
+        shade(pass, depth);
+        // Light straight from every lamp onto diffuse surfaces
+        sampleEveryLight(pass);
+        // Both belong to the pixel; the paths of a pixel stand together, so that their sum has one order
+        device_.commands.run(sumPaths_,
+                             shared::SumPathsArguments{level_.queue.paths, level_.emitted, level_.direct, film_.sums(),
+                                                       level_.queue.count},
+                             level_.queue.count);
+        descend();
+    }
+}
+
+void Whitted::shade(std::uint32_t pass, std::uint32_t depth) {
+    CameraQueue& queue = level_.queue;
+    device_.commands.run(traceClosest_,
+                         shared::TraceClosestArguments{queue.rays, queue.hits, queue.count, deviceScene_.rootNode},
+                         queue.count);
+    // The camera ray itself is neither reflection nor refraction
+    const std::uint32_t maxDepth = scene_.render.maxDepth + 1;
+    device_.commands.run(
+        shadeSurface_,
+        shared::ShadeSurfaceArguments{queue.rays, queue.hits, queue.paths, deviceScene_.materials, deviceScene_.lights,
+                                      deviceScene_.normals, deviceScene_.instances, level_.visiblePoints,
+                                      level_.emitted, queue.nextRays, queue.nextPaths, queue.alive, queue.count, depth,
+                                      maxDepth, pass, kSplit, static_cast<float>(scene_.render.minWeight)},
+        queue.count);
+    counts_.cameraRays += queue.count;
+}
+
+void Whitted::sampleEveryLight(std::uint32_t pass) {
+    const std::uint32_t count = level_.queue.count;
+    device_.commands.clear(level_.direct.buffer());
+    for (std::uint32_t light = 0; light < deviceScene_.lightCount; ++light) {
+        device_.commands.run(sampleLights_,
+                             shared::SampleLightsArguments{level_.visiblePoints, deviceScene_.lights, level_.shadowRays,
+                                                           level_.contributions, count, deviceScene_.lightCount, light,
+                                                           pass,
+                                                           /*maxDepth*/ scene_.render.maxDepth + 2},
+                             count);
+        device_.commands.run(traceShadow_,
+                             shared::TraceShadowArguments{level_.shadowRays, level_.contributions, level_.direct, count,
+                                                          deviceScene_.rootNode},
+                             count);
+        counts_.shadowRays += count;
+    }
+}
+
+void Whitted::descend() {
+    const std::uint32_t slots = kChildren * level_.queue.count;
+    const std::uint32_t alive = countAlive(device_, prefixSum_, level_.queue, slots);
+    const auto compactInto = [&](const CameraQueue& to) {
+        const CameraQueue& from = level_.queue;
+        device_.commands.run(compactCameraPaths_,
+                             shared::CompactCameraPathsArguments{from.alive, from.offsets, from.nextRays,
+                                                                 from.nextPaths, to.rays, to.paths, slots},
+                             alive > 0 ? slots : 0);
+    };
+    if (alive <= level_.queue.capacity()) {
+        compactInto(level_.queue);
+    } else { // a level of many splits: more room, kept for the passes to come
+        Level larger(device_.context, alive + alive / 4);
+        compactInto(larger.queue);
+        device_.commands.finish();
+        level_ = std::move(larger);
+    }
+    level_.queue.count = alive;
+}
+
+} // namespace hyalite::render

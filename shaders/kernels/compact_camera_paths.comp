@@ -1,0 +1,16 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Closes the gaps between the camera paths that go on, keeping their order.
+#include "shared/kernel_arguments.h"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { CompactCameraPathsArguments args; };
+
+void main() {
+    uint i = threadIndex();
+    if (i < args.count && args.alive.at[i] != 0u) {
+        uint to = args.offsets.at[i];
+        args.rays.at[to] = args.nextRays.at[i];
+        args.paths.at[to] = args.nextPaths.at[i];
+    }
+}

@@ -1,0 +1,17 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Counts the photons of every bucket of the grid; empty slots do not count.
+#include "shared/kernel_arguments.h"
+#include "lib/grid.glsl"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { CountCellsArguments args; };
+
+void main() {
+    uint i = threadIndex();
+    if (i >= args.count || args.photons.at[i].surface == kNone) {
+        return;
+    }
+    uint bucket = bucketOf(args.photons.at[i].position, args.grid);
+    args.ranks.at[i] = atomicAdd(args.cellCounts.at[bucket], 1u);
+}

@@ -1,0 +1,23 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Starts the photons of a pass: a light in proportion to power, a point on it, a direction from it [Jensen01, 5.1].
+#include "shared/kernel_arguments.h"
+#include "lib/light.glsl"
+#include "lib/sampling.glsl"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { EmitPhotonsArguments args; };
+
+void main() {
+    uint photon = threadIndex();
+    if (photon >= args.count) {
+        return;
+    }
+    Sampler s = photonSampler(args.seed, args.pass, photon);
+    LightRecord light = args.lights.at[pickLight(args.lights, args.lightCount, sampleUnit(s, kPhotonLight).x)];
+    vec3 origin = pointOnLight(light, sampleUnit(s, kPhotonOrigin));
+    vec2 u = sampleUnit(s, kPhotonDirection);
+    vec3 direction = light.type == kLightPoint ? uniformSphere(u) : cosineHemisphere(u, light.normal);
+    args.rays.at[photon] = Ray(origin, kInfinity, direction);
+    args.paths.at[photon] = PhotonPath(light.power / (light.pmf * float(args.count)), photon);
+}

@@ -1,0 +1,14 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// The film as a picture: the mean over passes.
+#include "shared/kernel_arguments.h"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { ResolveFilmArguments args; };
+
+void main() {
+    uint i = threadIndex();
+    if (i < args.count) {
+        args.image.at[i] = args.film.at[i] * args.scale;
+    }
+}

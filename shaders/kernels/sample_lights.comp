@@ -1,0 +1,36 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Picks a point on a light for each visible point, and says which shadow ray decides whether its light arrives.
+#include "shared/kernel_arguments.h"
+#include "lib/light.glsl"
+#include "lib/sampling.glsl"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { SampleLightsArguments args; };
+
+void main() {
+    uint i = threadIndex();
+    if (i >= args.count) {
+        return;
+    }
+    args.shadowRays.at[i].tMax = 0.0;
+    VisiblePoint x = args.visiblePoints.at[i];
+    if (x.depth == 0u || x.depth + 1u > args.maxDepth) {
+        return;
+    }
+    uint vertex = x.depth - 1u;
+    bool one = args.light == kNone; // one light in proportion to power; else the light asked for, with its own numbers
+    Sampler s = Sampler(one ? x.samplerSeed : hashCombine(x.samplerSeed, args.light), args.pass);
+    uint index = one ? pickLight(args.lights, args.lightCount, sampleUnit(s, cameraLightChoice(vertex)).x) : args.light;
+    LightRecord light = args.lights.at[index];
+
+    vec3 toLight = pointOnLight(light, sampleUnit(s, cameraLightPoint(vertex))) - x.position;
+    float distance2 = dot(toLight, toLight);
+    float distance = sqrt(distance2);
+    vec3 wi = toLight / distance;
+    vec3 contribution = x.f * arrivingFlux(light, -wi, distance2) * dot(x.normal, wi) / (one ? light.pmf : 1.0);
+    if (maxComponent(contribution) > 0.0) { // also false when the light is behind the surface or touches it
+        args.shadowRays.at[i] = Ray(x.position, distance, wi);
+        args.contributions.at[i] = contribution;
+    }
+}

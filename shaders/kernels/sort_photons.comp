@@ -1,0 +1,14 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Copies the photons into grid order: those of a bucket stand together.
+#include "shared/kernel_arguments.h"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { SortPhotonsArguments args; };
+
+void main() {
+    uint i = threadIndex();
+    if (i < args.count) {
+        args.sorted.at[i] = args.photons.at[args.order.at[i]];
+    }
+}

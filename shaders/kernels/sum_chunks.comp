@@ -1,0 +1,21 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// First half of a prefix sum: the sum of every chunk of kScanChunk values.
+#include "shared/kernel_arguments.h"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { SumChunksArguments args; };
+
+void main() {
+    uint chunk = threadIndex();
+    uint begin = chunk * kScanChunk;
+    if (begin >= args.count) {
+        return;
+    }
+    uint end = min(begin + kScanChunk, args.count);
+    uint sum = 0u;
+    for (uint i = begin; i < end; ++i) {
+        sum += args.values.at[i];
+    }
+    args.sums.at[chunk] = sum;
+}

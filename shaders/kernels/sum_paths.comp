@@ -1,0 +1,23 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Adds what the paths of one pixel carry, in their order: the first of each run of equal pixels adds them all.
+#include "shared/kernel_arguments.h"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { SumPathsArguments args; };
+
+void main() {
+    uint i = threadIndex();
+    if (i >= args.count) {
+        return;
+    }
+    uint pixel = args.paths.at[i].pixel;
+    if (i > 0u && args.paths.at[i - 1u].pixel == pixel) {
+        return;
+    }
+    vec3 sum = args.radiance.at[pixel];
+    for (; i < args.count && args.paths.at[i].pixel == pixel; ++i) {
+        sum += args.emitted.at[i] + args.direct.at[i];
+    }
+    args.radiance.at[pixel] = sum;
+}

@@ -1,0 +1,16 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Finds the closest hit of every ray.
+#include "shared/kernel_arguments.h"
+#include "lib/bvh.glsl"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { TraceClosestArguments args; };
+
+void main() {
+    uint i = threadIndex();
+    if (i >= args.count) {
+        return;
+    }
+    args.hits.at[i] = traceScene(args.rootNode, args.rays.at[i], false);
+}

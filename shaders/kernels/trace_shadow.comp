@@ -1,0 +1,19 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Adds what a light contributes wherever nothing stands between it and the surface.
+#include "shared/kernel_arguments.h"
+#include "lib/bvh.glsl"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { TraceShadowArguments args; };
+
+void main() {
+    uint i = threadIndex();
+    if (i >= args.count) {
+        return;
+    }
+    Ray ray = args.shadowRays.at[i];
+    if (ray.tMax > 0.0 && traceScene(args.rootNode, ray, true).object == kNone) {
+        args.direct.at[i] += args.contributions.at[i];
+    }
+}

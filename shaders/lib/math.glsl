@@ -1,0 +1,63 @@
+// Small maths that must give the same bits on every machine: built on + - * / sqrt alone, which Vulkan drivers for
+// CPUs round correctly, never on the driver's own sin, cos or acos.
+#ifndef HYALITE_MATH_GLSL
+#define HYALITE_MATH_GLSL
+#include "shared/language.h"
+
+const float kPi = 3.14159265358979;
+const float kInvPi = 0.318309886183791;
+const float kInfinity = 3.0e38; // longer than any ray; finite, so that products with zero stay zero
+
+// (sin x, cos x) for |x| <= pi/4: Taylor series, error below 1 ulp of 1.
+vec2 sinCosSmall(float x) {
+    float s = x * x;
+    return vec2(x * (1.0 + s * (-1.0 / 6.0 + s * (1.0 / 120.0 + s * (-1.0 / 5040.0 + s * (1.0 / 362880.0))))),
+                1.0 + s * (-0.5 + s * (1.0 / 24.0 + s * (-1.0 / 720.0 + s * (1.0 / 40320.0 + s * (-1.0 / 3628800.0))))));
+}
+
+// (sin, cos) of `turns` times 2 pi, 0 <= turns <= 1.
+vec2 sinCosTurns(float turns) {
+    float quarter = floor(4.0 * turns + 0.5);
+    vec2 sc = sinCosSmall((turns - 0.25 * quarter) * (2.0 * kPi));
+    uint q = uint(quarter) & 3u;
+    if ((q & 1u) != 0u) {
+        sc = vec2(sc.y, -sc.x);
+    }
+    return (q & 2u) != 0u ? -sc : sc;
+}
+
+float maxComponent(vec3 v) {
+    return max(v.x, max(v.y, v.z));
+}
+
+// A vector given in the orthonormal basis whose third axis is the unit vector n [Duff17].
+vec3 fromLocal(vec3 local, vec3 n) {
+    float s = n.z < 0.0 ? -1.0 : 1.0;
+    float a = -1.0 / (s + n.z);
+    float b = n.x * n.y * a;
+    vec3 tangent = vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x);
+    vec3 bitangent = vec3(b, s + n.y * n.y * a, -n.y);
+    return local.x * tangent + local.y * bitangent + local.z * n;
+}
+
+// Unit vectors as points of the unfolded octahedron [Cigolle14], `bits` a coordinate.
+uint packUnitVector(vec3 v, uint bits) {
+    vec2 p = v.xy / (abs(v.x) + abs(v.y) + abs(v.z));
+    if (v.z < 0.0) {
+        p = (1.0 - abs(p.yx)) * vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
+    }
+    float scale = float((1u << bits) - 1u);
+    uvec2 q = uvec2(clamp(p * 0.5 + 0.5, 0.0, 1.0) * scale + 0.5);
+    return q.x | (q.y << bits);
+}
+
+vec3 unpackUnitVector(uint packed, uint bits) {
+    uint mask = (1u << bits) - 1u;
+    vec2 p = vec2(packed & mask, (packed >> bits) & mask) / float(mask) * 2.0 - 1.0;
+    vec3 v = vec3(p, 1.0 - abs(p.x) - abs(p.y));
+    if (v.z < 0.0) {
+        v.xy = (1.0 - abs(p.yx)) * vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
+    }
+    return normalize(v);
+}
+#endif
