@@ -23,7 +23,8 @@ struct TexelTables::Impl {
     vk::raii::DescriptorSetLayout layout = nullptr;
     vk::raii::DescriptorPool pool = nullptr;
     vk::raii::DescriptorSet set = nullptr;
-    std::vector<vk::raii::BufferView> views;
+    std::vector<vk::raii::BufferView> views; // one a binding
+    std::vector<TexelFormat> formats;        // of the views
 };
 
 } // namespace hyalite::gpu

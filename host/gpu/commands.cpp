@@ -48,7 +48,7 @@ void recordBarrier(const vk::raii::CommandBuffer& buffer) {
 
 struct Commands::Impl {
     const Context::Impl& context;
-    vk::DescriptorSet tables;
+    const TexelTables::Impl& tables;
     bool timed;
     vk::raii::CommandPool pool = nullptr;
     std::vector<vk::raii::CommandBuffer> buffers; // the first `used` hold work that is not finished
@@ -60,8 +60,8 @@ struct Commands::Impl {
     std::vector<Span> spans; // of the work that is not finished; span i has timestamps 2 i and 2 i + 1
     std::map<std::string, StageTime> times;
 
-    Impl(const Context::Impl& owner, vk::DescriptorSet set, bool isTimed)
-        : context(owner), tables(set), timed(isTimed),
+    Impl(const Context::Impl& owner, const TexelTables::Impl& allTables, bool isTimed)
+        : context(owner), tables(allTables), timed(isTimed),
           pool(context.device, vk::CommandPoolCreateInfo{.queueFamilyIndex = context.queueFamily}),
           fence(context.device, vk::FenceCreateInfo{}) {}
 
@@ -142,7 +142,7 @@ void Commands::Impl::addTimes() {
 
 Commands::Commands(const Context& context, const TexelTables& tables, bool timed)
     : impl_(checked("making a command list",
-                    [&] { return std::make_unique<Impl>(context.impl(), *tables.impl().set, timed); })) {}
+                    [&] { return std::make_unique<Impl>(context.impl(), tables.impl(), timed); })) {}
 
 Commands::~Commands() {
     // Portions may be running still, in memory that goes away now.
@@ -165,6 +165,12 @@ void Commands::run(const Kernel& kernel, std::span<const std::byte> arguments, s
                                             std::to_string(implementation.interface.pushConstantBytes) +
                                             " bytes of arguments, not " + std::to_string(arguments.size()));
     }
+    for (const auto& [binding, format] : implementation.interface.tables) {
+        if (impl_->tables.formats.at(binding) != format) {
+            throw Error(ExitCode::BadInput, "kernel '" + kernel.name() + "' reads table " + std::to_string(binding) +
+                                                " in another format than it was set in");
+        }
+    }
     const std::uint32_t groups = (threads - 1) / shared::kGroupSize + 1;
     checked("recording kernel '" + kernel.name() + '\'', [&] {
         impl_->record({.name = kernel.name(), .dispatches = 1, .threads = threads}, [&] {
@@ -172,8 +178,8 @@ void Commands::run(const Kernel& kernel, std::span<const std::byte> arguments, s
             for (std::uint32_t row = 0, done = 0; done < groups; ++row, done += kGroupsPerPiece) {
                 const vk::raii::CommandBuffer& buffer = impl_->recorder();
                 buffer.bindPipeline(vk::PipelineBindPoint::eCompute, *implementation.pipeline);
-                buffer.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *implementation.layout, 0, impl_->tables,
-                                          nullptr);
+                buffer.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *implementation.layout, 0,
+                                          *impl_->tables.set, nullptr);
                 buffer.pushConstants<std::byte>(*implementation.layout, stage, 0, arguments);
                 const std::uint32_t width = std::min(groups - done, kGroupsPerPiece);
                 buffer.dispatchBase(0, row, 0, width, 1, 1);

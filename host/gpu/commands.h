@@ -19,7 +19,8 @@ public:
     ~Commands();
 
     // Runs `kernel` on at least `threads` threads; a kernel asks for its number by threadIndex() and stops at its
-    // count. Zero threads: nothing is recorded. sizeof(Arguments) must be the kernel's push-constant size.
+    // count. Zero threads: nothing is recorded. sizeof(Arguments) must be the kernel's push-constant size, and the
+    // tables it reads must be set in the format it reads them in.
     // The dispatch is cut into pieces that a GPU finishes in time; a barrier follows.
     template <class Arguments>
     void run(const Kernel& kernel, const Arguments& arguments, std::uint32_t threads) {

@@ -7,7 +7,9 @@
 namespace hyalite::gpu {
 namespace {
 
-void checkInterface(const Kernel::Impl& kernel, const Context::Impl& context, const SourceLocation& source) {
+// `tables`: how many bindings there are.
+void checkInterface(const Kernel::Impl& kernel, const Context::Impl& context, std::size_t tables,
+                    const SourceLocation& source) {
     const KernelInterface& interface = kernel.interface;
     const std::string what = "kernel '" + kernel.name + "': ";
     if (interface.localSize != shared::kGroupSize) {
@@ -24,6 +26,11 @@ void checkInterface(const Kernel::Impl& kernel, const Context::Impl& context, co
         throw Error(ExitCode::Device, source,
                     what + "its arguments take " + std::to_string(interface.pushConstantBytes) + " bytes, but " +
                         context.info.name + " allows " + std::to_string(context.limits.maxPushConstantsSize));
+    }
+    if (!interface.tables.empty() && interface.tables.rbegin()->first >= tables) {
+        throw Error(ExitCode::BadInput, source,
+                    what + "it reads table " + std::to_string(interface.tables.rbegin()->first) + " of " +
+                        std::to_string(tables));
     }
 }
 
@@ -75,7 +82,7 @@ Kernel::Kernel(const Context& owner, const TexelTables& tables, const ShaderComp
     const SpirV spirv = compiler.compile(impl_->name);
     impl_->interface = reflect(spirv);
     const std::filesystem::path source = compiler.shaders() / "kernels" / (impl_->name + ".comp");
-    checkInterface(*impl_, context, {.file = source.string()});
+    checkInterface(*impl_, context, tables.impl().views.size(), {.file = source.string()});
     checked("making kernel '" + impl_->name + '\'', [&] {
         const vk::DescriptorSetLayout setLayout = *tables.impl().layout;
         const vk::PushConstantRange range{.stageFlags = vk::ShaderStageFlagBits::eCompute,

@@ -20,6 +20,7 @@ struct KernelInterface {
     std::uint32_t pushConstantBytes = 0;
     std::uint32_t localSize = 0;                                  // threads of a workgroup, along x
     std::map<std::string, std::uint32_t> specializationConstants; // name to constant id
+    std::map<std::uint32_t, TexelFormat> tables;                  // binding to what the kernel reads there
     std::map<std::string, std::vector<StructMember>> structs;     // every struct in a push constant or device array
     std::map<std::string, std::uint32_t> arrayStrides;            // element struct of a device array to its stride
 };

@@ -122,6 +122,28 @@ void readPushConstants(const spirv_cross::Compiler& compiler, KernelInterface& i
     interface.pushConstantBytes = (end + alignment - 1) / alignment * alignment;
 }
 
+// Kernels have no other resources than texel tables: all else is reached by address.
+void readTables(const spirv_cross::Compiler& compiler, KernelInterface& interface) {
+    const spirv_cross::ShaderResources resources = compiler.get_shader_resources();
+    if (!resources.uniform_buffers.empty() || !resources.storage_buffers.empty() || !resources.storage_images.empty()) {
+        throw Error(ExitCode::BadInput, "a kernel may bind texel tables only; use a device array of shared/language.h");
+    }
+    // glslang 12 and 15 declare a samplerBuffer in one way each.
+    for (const auto* images : {&resources.sampled_images, &resources.separate_images}) {
+        for (const spirv_cross::Resource& image : *images) {
+            const SPIRType& texel = compiler.get_type(compiler.get_type(image.base_type_id).image.type);
+            const bool isTable = compiler.get_type(image.base_type_id).image.dim == spv::DimBuffer;
+            const bool isKnown = texel.basetype == SPIRType::Float || texel.basetype == SPIRType::UInt;
+            if (!isTable || !isKnown || compiler.get_decoration(image.id, spv::DecorationDescriptorSet) != 0) {
+                throw Error(ExitCode::BadInput,
+                            '\'' + image.name + "' must be a samplerBuffer or usamplerBuffer of set 0");
+            }
+            interface.tables[compiler.get_decoration(image.id, spv::DecorationBinding)] =
+                texel.basetype == SPIRType::Float ? TexelFormat::Float4 : TexelFormat::Uint4;
+        }
+    }
+}
+
 } // namespace
 
 KernelInterface reflect(const SpirV& spirv) {
@@ -133,6 +155,7 @@ KernelInterface reflect(const SpirV& spirv) {
             interface.specializationConstants[compiler.get_name(constant.id)] = constant.constant_id;
         }
         readPushConstants(compiler, interface);
+        readTables(compiler, interface);
     } catch (const spirv_cross::CompilerError& error) {
         throw Error(ExitCode::BadInput, std::string("cannot read the SPIR-V: ") + error.what());
     }

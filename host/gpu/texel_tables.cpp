@@ -16,6 +16,7 @@ TexelTables::TexelTables(const Context& context, std::uint32_t bindings) : impl_
                          .descriptorCount = 1,
                          .stageFlags = vk::ShaderStageFlagBits::eCompute};
             impl_->views.emplace_back(nullptr);
+            impl_->formats.push_back(TexelFormat::Float4);
         }
         impl_->layout = {device,
                          vk::DescriptorSetLayoutCreateInfo{.bindingCount = bindings, .pBindings = layout.data()}};
@@ -66,6 +67,7 @@ void TexelTables::set(std::uint32_t binding, const Buffer& buffer, TexelFormat f
                                    .descriptorType = vk::DescriptorType::eUniformTexelBuffer,
                                    .pTexelBufferView = &handle},
             nullptr);
+        impl_->formats[binding] = format;
         previous = std::move(view); // the old view goes after the set has let go of it
     });
 }

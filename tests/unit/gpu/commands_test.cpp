@@ -1,0 +1,182 @@
+// Runs of kernels: every thread once, in order, the same bits again, and timed by name.
+#include "support/gpu_fixture.h"
+#include "unit/gpu/temporary_shaders.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+#include <algorithm>
+#include <chrono>
+
+using namespace hyalite;
+using gpu::Array;
+using gpu::Commands;
+using gpu::Kernel;
+using testing::Gpu;
+using testing::TemporaryShaders;
+
+namespace {
+
+struct ValuesArguments {
+    std::uint64_t values;
+    std::uint32_t count;
+};
+
+// A kernel over one array of uint or float.
+Kernel valuesKernel(const std::string& name, const std::string& body, const std::string& declarations = {}) {
+    const TemporaryShaders folder;
+    folder.writeKernel(name, "UintArray values;", body, declarations);
+    return {Gpu::shared().context(), Gpu::shared().tables(), gpu::ShaderCompiler(folder.shaders()), name};
+}
+
+Array<std::uint32_t> zeros(std::uint32_t count) {
+    const std::vector<std::uint32_t> values(count, 0);
+    return {Gpu::shared().context(), std::span(values), "values"};
+}
+
+// Counts in each value how often its thread ran.
+const std::string kCount = "atomicAdd(args.values.at[i], 1u);";
+
+// As many rounds of a loop as the value says.
+const std::string kSpin = "uint x = i;\n"
+                          "uint rounds = args.values.at[i];\n"
+                          "for (uint k = 0u; k < rounds; ++k) { x = x * 1664525u + 1013904223u; }\n"
+                          "args.values.at[i] = x;";
+
+} // namespace
+
+TEST_CASE("every thread index comes exactly once, whatever the number of groups and rows", "[commands]") {
+    const Kernel kernel = valuesKernel("count_threads", kCount);
+    // One thread; a group and one; more than 65 535 groups of 64; and several rows of 32 768 * 64 = 2 097 152 threads,
+    // more than one submission holds.
+    for (const std::uint32_t threads : {1U, 65U, 65'536U * 64U + 1U, 9'000'001U}) {
+        const Array<std::uint32_t> values = zeros(threads);
+        Commands commands(Gpu::shared().context(), Gpu::shared().tables());
+        commands.run(kernel, ValuesArguments{values.buffer().address(), threads}, threads);
+        commands.finish();
+        const auto isOne = [](std::uint32_t value) { return value == 1; };
+        CHECK(std::all_of(values.host().begin(), values.host().end(), isOne));
+    }
+}
+
+TEST_CASE("a kernel sees all that the ones before it wrote", "[commands]") {
+    // Each run adds the left neighbour, on a ring, of what the run before wrote: after n runs of x <- x + left(x) that
+    // start from ones, every value is 2^n. Two arrays take turns.
+    const TemporaryShaders folder;
+    folder.writeKernel("add_neighbour", "UintArray from;\n    UintArray to;",
+                       "args.to.at[i] = args.from.at[i] + args.from.at[(i + args.count - 1u) % args.count];");
+    Gpu& device = Gpu::shared();
+    const Kernel kernel(device.context(), device.tables(), gpu::ShaderCompiler(folder.shaders()), "add_neighbour");
+    struct Arguments {
+        std::uint64_t from;
+        std::uint64_t to;
+        std::uint32_t count;
+    };
+    constexpr std::uint32_t count = 100'000;
+    const std::vector<std::uint32_t> ones(count, 1);
+    const Array<std::uint32_t> a(device.context(), std::span(ones), "a");
+    const Array<std::uint32_t> b(device.context(), count, "b");
+    Commands commands(device.context(), device.tables());
+    for (int run = 0; run < 10; ++run) {
+        commands.run(kernel, Arguments{a.buffer().address(), b.buffer().address(), count}, count);
+        commands.run(kernel, Arguments{b.buffer().address(), a.buffer().address(), count}, count);
+    }
+    commands.finish();
+    CHECK(a.read() == std::vector<std::uint32_t>(count, 1U << 20U));
+}
+
+TEST_CASE("a clear stands between the kernels before and after it", "[commands]") {
+    const Kernel kernel = valuesKernel("count_twice", kCount);
+    const Array<std::uint32_t> values = zeros(1000);
+    const ValuesArguments arguments{values.buffer().address(), 1000};
+    Commands commands(Gpu::shared().context(), Gpu::shared().tables());
+    commands.run(kernel, arguments, 1000);
+    commands.clear(values.buffer());
+    commands.run(kernel, arguments, 1000);
+    commands.finish();
+    CHECK(values.read() == std::vector<std::uint32_t>(1000, 1));
+}
+
+TEST_CASE("commands are used again after finish, and finish without work does nothing", "[commands]") {
+    const Kernel kernel = valuesKernel("count_again", kCount);
+    const Array<std::uint32_t> values = zeros(100);
+    Commands commands(Gpu::shared().context(), Gpu::shared().tables(), true);
+    commands.finish();
+    CHECK(commands.times().empty());
+    for (int run = 0; run < 3; ++run) {
+        commands.run(kernel, ValuesArguments{values.buffer().address(), 100}, 100);
+        commands.run(kernel, ValuesArguments{values.buffer().address(), 100}, 0); // nothing
+        commands.finish();
+    }
+    CHECK(values.read() == std::vector<std::uint32_t>(100, 3));
+    CHECK(commands.times().at("count_again").dispatches == 3);
+}
+
+TEST_CASE("the same dispatch gives the same bits", "[commands]") {
+    const Kernel kernel = valuesKernel("mix_floats", "float sum = 0.0;\n"
+                                                     "float x = float(i) * 0.001;\n"
+                                                     "for (int k = 0; k < 50; ++k) { sum += sin(x + k) * exp(-x); }\n"
+                                                     "args.values.at[i] = floatBitsToUint(sum);");
+    const auto once = [&kernel] {
+        const Array<std::uint32_t> values = zeros(50'000);
+        Commands commands(Gpu::shared().context(), Gpu::shared().tables());
+        commands.run(kernel, ValuesArguments{values.buffer().address(), 50'000}, 50'000);
+        commands.finish();
+        return values.read();
+    };
+    const std::vector<std::uint32_t> first = once();
+    CHECK(first[1] != first[2]); // it computed something
+    CHECK(once() == first);
+}
+
+TEST_CASE("times are kept by kernel name, and long work takes longer than short work", "[commands]") {
+    const Kernel brief = valuesKernel("spin_briefly", kSpin);
+    const Kernel lengthy = valuesKernel("spin_long", kSpin);
+    constexpr std::uint32_t rounds = 2'000'000;
+    const Array<std::uint32_t> one = zeros(64);
+    const Array<std::uint32_t> other = zeros(64);
+    const ValuesArguments oneArguments{one.buffer().address(), 64};
+    const ValuesArguments otherArguments{other.buffer().address(), 64};
+    Commands warmUp(Gpu::shared().context(), Gpu::shared().tables());
+    warmUp.run(brief, oneArguments, 64); // drivers compile at a kernel's first dispatch
+    warmUp.run(lengthy, otherArguments, 64);
+    warmUp.finish();
+    CHECK(warmUp.times().empty());
+    one.write(std::vector<std::uint32_t>(64, 1));
+    other.write(std::vector<std::uint32_t>(64, rounds));
+    Commands commands(Gpu::shared().context(), Gpu::shared().tables(), true);
+    const auto start = std::chrono::steady_clock::now();
+    commands.run(brief, oneArguments, 64);
+    commands.run(lengthy, otherArguments, 64);
+    commands.clear(one.buffer());
+    commands.run(brief, oneArguments, 64);
+    commands.finish();
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+    const auto& times = commands.times();
+    REQUIRE(times.size() == 3);
+    CHECK(times.at("spin_briefly").dispatches == 2);
+    CHECK(times.at("spin_briefly").threads == 128);
+    CHECK(times.at("spin_long").dispatches == 1);
+    CHECK(times.at("clear").dispatches == 1);
+    const double brieflySeconds = times.at("spin_briefly").seconds;
+    const double longSeconds = times.at("spin_long").seconds;
+    // 2e6 rounds against at most two: a factor of a million, less the cost of a dispatch.
+    CHECK(longSeconds > 5 * brieflySeconds);
+    // A round waits for the one before it, two instructions of a clock or more each: at 10 GHz 2e6 take 0.4 ms.
+    CHECK(longSeconds > 4e-4);
+    CHECK(longSeconds + brieflySeconds + times.at("clear").seconds <= wall.count());
+}
+
+TEST_CASE("more timestamps than one query pool holds are all counted", "[commands]") {
+    const Kernel kernel = valuesKernel("count_often", kCount);
+    const Array<std::uint32_t> values = zeros(64);
+    Commands commands(Gpu::shared().context(), Gpu::shared().tables(), true);
+    for (int round = 0; round < 2; ++round) {
+        for (int run = 0; run < 300; ++run) { // 600 timestamps
+            commands.run(kernel, ValuesArguments{values.buffer().address(), 64}, 64);
+        }
+        commands.finish();
+    }
+    CHECK(values.read() == std::vector<std::uint32_t>(64, 600));
+    CHECK(commands.times().at("count_often").dispatches == 600);
+    CHECK(commands.times().at("count_often").threads == 600 * 64);
+}

@@ -1,0 +1,71 @@
+// One line a struct, members by name. offsetof needs the name as a token: hence the macros, here and nowhere else.
+#include "unit/gpu/host_layouts.h"
+
+#include "shaders/shared/kernel_arguments.h"
+#include "shaders/shared/self_test.h"
+
+#include <cstddef>
+#include <utility>
+
+// Applies HOST_MEMBER to each name: rescanning the parentheses 4 * 4 * 4 times allows as many members.
+#define HOST_RESCAN(...) HOST_RESCAN_16(HOST_RESCAN_16(HOST_RESCAN_16(HOST_RESCAN_16(__VA_ARGS__))))
+#define HOST_RESCAN_16(...) HOST_RESCAN_4(HOST_RESCAN_4(HOST_RESCAN_4(HOST_RESCAN_4(__VA_ARGS__))))
+#define HOST_RESCAN_4(...) HOST_RESCAN_1(HOST_RESCAN_1(HOST_RESCAN_1(HOST_RESCAN_1(__VA_ARGS__))))
+#define HOST_RESCAN_1(...) __VA_ARGS__
+#define HOST_PARENTHESES ()
+#define HOST_MEMBERS(Struct, member, ...)                                                                              \
+    HOST_MEMBER(Struct, member) __VA_OPT__(HOST_MEMBERS_AGAIN HOST_PARENTHESES(Struct, __VA_ARGS__))
+#define HOST_MEMBERS_AGAIN() HOST_MEMBERS
+#define HOST_MEMBER(Struct, member)                                                                                    \
+    {.name = #member, .offset = offsetof(Struct, member), .size = sizeof(std::declval<Struct>().member)},
+#define HOST_LAYOUT(Struct, ...)                                                                                       \
+    layouts[#Struct] = {.size = sizeof(Struct), .members = {HOST_RESCAN(HOST_MEMBERS(Struct, __VA_ARGS__))}}
+
+namespace hyalite::testing {
+
+using namespace hyalite::shared; // the names below are the kernels'
+
+std::map<std::string, HostLayout> hostLayouts() {
+    std::map<std::string, HostLayout> layouts;
+    HOST_LAYOUT(CameraRecord, position, forward, right, up, width, height);
+    HOST_LAYOUT(MaterialRecord, type, color, ior);
+    HOST_LAYOUT(LightRecord, type, position, edge0, edge1, normal, area, emission, power, pmf, cdf);
+    HOST_LAYOUT(InstanceRecord, row0, row1, row2);
+    HOST_LAYOUT(Ray, origin, tMax, direction);
+    HOST_LAYOUT(Hit, t, object, primitive, uv);
+    HOST_LAYOUT(CameraPath, beta, pixel, samplerSeed);
+    HOST_LAYOUT(VisiblePoint, position, depth, normal, samplerSeed, f, pixel);
+    HOST_LAYOUT(PhotonPath, power, photon);
+    HOST_LAYOUT(Photon, position, direction, power, surface);
+    HOST_LAYOUT(GridRecord, inverseCellSize, bucketMask);
+    HOST_LAYOUT(GenerateCameraRaysArguments, rays, paths, camera.position, camera.forward, camera.right, camera.up,
+                camera.width, camera.height, count, seed, pass);
+    HOST_LAYOUT(TraceClosestArguments, rays, hits, count, rootNode);
+    HOST_LAYOUT(ShadeSurfaceArguments, rays, hits, paths, materials, lights, normals, instances, visiblePoints, emitted,
+                nextRays, nextPaths, alive, count, depth, maxDepth, pass, split, minWeight);
+    HOST_LAYOUT(SampleLightsArguments, visiblePoints, lights, shadowRays, contributions, count, lightCount, light, pass,
+                maxDepth);
+    HOST_LAYOUT(TraceShadowArguments, shadowRays, contributions, direct, count, rootNode);
+    HOST_LAYOUT(EmitPhotonsArguments, lights, rays, paths, count, lightCount, seed, pass);
+    HOST_LAYOUT(ScatterPhotonArguments, rays, hits, paths, materials, normals, instances, photons, nextRays, nextPaths,
+                alive, count, firstPhoton, depth, maxDepth, seed, pass);
+    HOST_LAYOUT(CompactCameraPathsArguments, alive, offsets, nextRays, nextPaths, rays, paths, count);
+    HOST_LAYOUT(CompactPhotonPathsArguments, alive, offsets, nextRays, nextPaths, rays, paths, count);
+    HOST_LAYOUT(SumChunksArguments, values, sums, count);
+    HOST_LAYOUT(ScanChunksArguments, values, chunkOffsets, sums, count);
+    HOST_LAYOUT(CountCellsArguments, photons, cellCounts, ranks, grid.inverseCellSize, grid.bucketMask, count);
+    HOST_LAYOUT(FillCellsArguments, photons, cellStarts, ranks, order, grid.inverseCellSize, grid.bucketMask, count);
+    HOST_LAYOUT(OrderCellsArguments, cellStarts, order, count);
+    HOST_LAYOUT(SortPhotonsArguments, photons, order, sorted, count);
+    HOST_LAYOUT(GatherRadianceArguments, visiblePoints, cellStarts, gathered, grid.inverseCellSize, grid.bucketMask,
+                radius, count, maxDepth);
+    HOST_LAYOUT(SumPathsArguments, paths, emitted, direct, radiance, count);
+    HOST_LAYOUT(AccumulateFilmArguments, emitted, direct, gathered, film, count);
+    HOST_LAYOUT(ResolveFilmArguments, film, image, count, scale);
+    HOST_LAYOUT(SelfTestRecord, first, second, third, fourth);
+    HOST_LAYOUT(SelfTestAnswer, rounds, texel, record.first, record.second, record.third, record.fourth);
+    HOST_LAYOUT(SelfTestArguments, records, answers, rounds, count);
+    return layouts;
+}
+
+} // namespace hyalite::testing

@@ -1,0 +1,16 @@
+// The layout that the C++ compiler gives to the structs of shaders/shared, to hold against the SPIR-V's.
+#pragma once
+
+#include "gpu/kernel.h"
+
+namespace hyalite::testing {
+
+struct HostLayout {
+    std::size_t size = 0;
+    std::vector<gpu::StructMember> members; // those of an inner struct as "grid.bucketMask"
+};
+
+// By the struct's name. A struct or member that a kernel uses and that stands not here fails the layout test.
+[[nodiscard]] std::map<std::string, HostLayout> hostLayouts();
+
+} // namespace hyalite::testing
