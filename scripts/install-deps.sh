@@ -42,14 +42,15 @@ esac
 missing=()
 findMissing() {
     declare -A installed=()
-    local package status version
+    local package status version minimum
     while read -r package status version; do
         if [[ $status == installed ]]; then installed[$package]=$version; fi
     done < <(dpkg-query -W -f='${Package} ${db:Status-Status} ${Version}\n' "${wanted[@]}" 2>/dev/null)
     missing=()
     for package in "${wanted[@]}"; do
         version=${installed[$package]:-}
-        if [[ -z $version ]] || dpkg --compare-versions "$version" lt "${atLeast[$package]:-0}"; then
+        minimum=${atLeast[$package]:-}
+        if [[ -z $version ]] || { [[ -n $minimum ]] && dpkg --compare-versions "$version" lt "$minimum"; }; then
             missing+=("$package")
         fi
     done
