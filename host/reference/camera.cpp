@@ -1,0 +1,43 @@
+// Camera rays, evenly spread over a pixel by the sampler.
+#include "reference/camera.h"
+
+#include "reference/sampling.h"
+#include "reference/world.h"
+
+#include <cmath>
+
+namespace hyalite::reference {
+
+CameraFrame makeCameraFrame(const Camera& camera, const std::string& sceneFile) {
+    const glm::dvec3 view = camera.lookAt - camera.position;
+    const glm::dvec3 side = glm::cross(view, camera.up);
+    if (!(glm::length(side) > 0)) {
+        throw Error(ExitCode::BadInput, SourceLocation{.file = sceneFile},
+                    "the camera's up is parallel to its view direction, or its position is the point it looks at",
+                    "choose another camera.up or camera.look_at");
+    }
+    const glm::dvec3 forward = glm::normalize(view);
+    const glm::dvec3 right = glm::normalize(side);
+    const double tangent = std::tan(glm::radians(camera.fov) / 2);
+    const double aspect = static_cast<double>(camera.resolution.x) / static_cast<double>(camera.resolution.y);
+    return {.position = camera.position,
+            .forward = forward,
+            .right = right * (tangent * aspect),
+            .up = glm::cross(right, forward) * tangent,
+            .width = camera.resolution.x,
+            .height = camera.resolution.y};
+}
+
+Ray generateCameraRay(const World& world, std::uint32_t pixel, std::uint32_t pass) {
+    const CameraFrame& camera = world.camera;
+    const shared::Sampler sampler = shared::cameraSampler(world.render.seed, pass, pixel);
+    const glm::dvec2 uv = sampleUnitSquare(sampler, shared::kCameraPixel);
+    const std::uint32_t x = pixel % camera.width;
+    const std::uint32_t y = pixel / camera.width;
+    const double sx = 2 * (x + uv.x) / camera.width - 1;
+    const double sy = 1 - 2 * (y + uv.y) / camera.height;
+    return {.origin = camera.position,
+            .direction = glm::normalize(camera.forward + sx * camera.right + sy * camera.up)};
+}
+
+} // namespace hyalite::reference

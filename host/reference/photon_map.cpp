@@ -1,0 +1,93 @@
+// The map is a kd-tree of the nanoflann library over the photons' positions.
+#include "reference/photon_map.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <nanoflann.hpp>
+#include <numbers>
+#include <utility>
+
+namespace hyalite::reference {
+
+namespace {
+
+struct PhotonCloud { // the interface nanoflann asks of its points
+    std::vector<Photon> photons;
+
+    [[nodiscard]] std::size_t kdtree_get_point_count() const { return photons.size(); }
+    [[nodiscard]] double kdtree_get_pt(std::size_t index, std::size_t axis) const {
+        return photons[index].position[static_cast<int>(axis)];
+    }
+    template <typename Box>
+    bool kdtree_get_bbox(Box& /*box*/) const {
+        return false;
+    } // let the tree compute it
+};
+
+// Collects candidates from nanoflann's walk; the library's own result sets changed between its versions.
+struct Candidates {
+    double worst; // squared distance [m^2]
+    std::vector<std::uint32_t>& indices;
+
+    [[nodiscard]] std::size_t size() const { return indices.size(); }
+    [[nodiscard]] static bool full() { return true; }
+    [[nodiscard]] double worstDist() const { return worst; }
+    bool addPoint(double /*distance2*/, std::uint32_t index) {
+        indices.push_back(index);
+        return true;
+    }
+    void sort() { std::sort(indices.begin(), indices.end()); }
+};
+
+using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PhotonCloud>, PhotonCloud, 3,
+                                                  std::uint32_t>;
+
+} // namespace
+
+struct PhotonMap::Tree {
+    explicit Tree(std::vector<Photon> photons)
+        : cloud{std::move(photons)}, index(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(16)) {
+        index.buildIndex();
+    }
+
+    PhotonCloud cloud;
+    Index index; // refers to the cloud
+};
+
+PhotonMap::PhotonMap(std::vector<Photon> photons) : tree_(std::make_unique<Tree>(std::move(photons))) {}
+PhotonMap::~PhotonMap() = default;
+PhotonMap::PhotonMap(PhotonMap&&) noexcept = default;
+PhotonMap& PhotonMap::operator=(PhotonMap&&) noexcept = default;
+
+const std::vector<Photon>& PhotonMap::photons() const {
+    return tree_->cloud.photons;
+}
+
+std::vector<std::uint32_t> PhotonMap::near(const glm::dvec3& x, double radius) const {
+    // The tree sums squared distances step by step and rounds: ask a little wider, then apply the definition.
+    std::vector<std::uint32_t> indices;
+    Candidates candidates{.worst = radius * radius * (1 + 1e-12), .indices = indices};
+    tree_->index.findNeighbors(candidates, &x.x, {});
+    std::erase_if(indices, [&](std::uint32_t i) {
+        const glm::dvec3 way = photons()[i].position - x;
+        return glm::dot(way, way) > radius * radius;
+    });
+    std::sort(indices.begin(), indices.end());
+    return indices;
+}
+
+glm::dvec3 gatherRadiance(const PhotonMap& map, const VisiblePoint& x, double radius, std::uint32_t maxDepth) {
+    glm::dvec3 power(0);
+    for (const std::uint32_t index : map.near(x.position, radius)) {
+        const Photon& photon = map.photons()[index];
+        const bool inPlane = std::abs(glm::dot(photon.position - x.position, x.normal)) <= radius / 4;
+        const bool sameSurface = glm::dot(photon.normal, x.normal) > 0.5;
+        const bool sameSide = glm::dot(photon.direction, x.normal) > 0;
+        if (inPlane && sameSurface && sameSide && photon.depth + x.depth <= maxDepth) {
+            power += photon.power;
+        }
+    }
+    return x.f * power / (std::numbers::pi * radius * radius);
+}
+
+} // namespace hyalite::reference

@@ -1,0 +1,38 @@
+// The photons of a pass, found by place [Jensen01], and the density estimate made from those near a visible point.
+#pragma once
+
+#include "reference/lights.h"
+#include "reference/photons.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace hyalite::reference {
+
+class PhotonMap {
+public:
+    explicit PhotonMap(std::vector<Photon> photons);
+    ~PhotonMap();
+    PhotonMap(PhotonMap&&) noexcept;
+    PhotonMap& operator=(PhotonMap&&) noexcept;
+    PhotonMap(const PhotonMap&) = delete;
+    PhotonMap& operator=(const PhotonMap&) = delete;
+
+    [[nodiscard]] const std::vector<Photon>& photons() const;
+
+    // Indices of the photons with |p - x|^2 <= radius^2, ascending.
+    [[nodiscard]] std::vector<std::uint32_t> near(const glm::dvec3& x, double radius) const;
+
+private:
+    struct Tree;
+    std::unique_ptr<Tree> tree_;
+};
+
+// Radiance [W/(m^2 sr)] that the photons about x add to the pixel: f * sum of power / (pi r^2). Counted are photons
+// within r that landed on the same side of the same surface, nearly in its plane, on paths of at most maxDepth
+// segments.
+[[nodiscard]] glm::dvec3 gatherRadiance(const PhotonMap& map, const VisiblePoint& x, double radius,
+                                        std::uint32_t maxDepth);
+
+} // namespace hyalite::reference

@@ -1,0 +1,20 @@
+// Picks the integrator.
+#include "reference/render.h"
+
+#include "reference/ppm.h"
+#include "reference/whitted.h"
+
+#include <algorithm>
+
+namespace hyalite::reference {
+
+Image render(const Scene& scene, const RenderOptions& options) {
+    const World world = prepareWorld(scene);
+    if (std::none_of(world.lights.begin(), world.lights.end(), [](const Light& light) { return light.pmf > 0; })) {
+        throw Error(ExitCode::BadInput, SourceLocation{.file = scene.file}, "the scene emits no light",
+                    "add a light, or an emission to a quad");
+    }
+    return scene.render.integrator == Integrator::Whitted ? renderWhitted(world, options) : renderPpm(world, options);
+}
+
+} // namespace hyalite::reference

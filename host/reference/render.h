@@ -1,0 +1,22 @@
+// The oracle: renders a scene on the CPU in double precision, recursively, as the textbooks write it. It shares only
+// random integers with the kernels; the same seed asks both for the same picture.
+#pragma once
+
+#include "image/image.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <functional>
+
+namespace hyalite::reference {
+
+struct RenderOptions {
+    // Called after each pass with the number of passes done; false ends the rendering there. Empty: all passes.
+    std::function<bool(std::uint32_t passesDone)> afterPass;
+};
+
+// The mean of the passes rendered, by the integrator and settings of scene.render. The same bits for any number of
+// threads. Throws Error(BadInput) where the scene cannot be rendered or emits no light.
+[[nodiscard]] Image render(const Scene& scene, const RenderOptions& options = {});
+
+} // namespace hyalite::reference

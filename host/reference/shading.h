@@ -1,0 +1,38 @@
+// What happens to a camera path at a hit: light seen, a diffuse surface found, or specular directions to follow.
+#pragma once
+
+#include "reference/lights.h"
+#include "reference/world.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace hyalite::reference {
+
+// The state of a camera path that has not yet met a diffuse surface.
+struct CameraPath {
+    glm::dvec3 beta{1};            // throughput: what one unit of radiance along the present ray adds to the pixel
+    std::uint32_t samplerSeed = 0; // the sampler's index is the pass
+};
+
+// The path that starts at the camera.
+[[nodiscard]] CameraPath beginCameraPath(const World& world, std::uint32_t pixel, std::uint32_t pass);
+
+struct NextRay {
+    Ray ray;
+    CameraPath path;
+};
+
+struct Shading {
+    glm::dvec3 emitted{0};                      // radiance added to the pixel, throughput included
+    std::optional<VisiblePoint> visible;        // on a diffuse surface
+    std::array<std::optional<NextRay>, 2> next; // reflected, refracted
+};
+
+// `depth` counts the segments from the camera to the hit. At glass, ppm follows one of reflection and refraction
+// (picked with the Fresnel reflectance), whitted both, weighted, unless their throughput is below render.minWeight.
+[[nodiscard]] Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const CameraPath& path,
+                                   std::uint32_t depth, std::uint32_t pass);
+
+} // namespace hyalite::reference

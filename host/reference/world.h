@@ -1,0 +1,66 @@
+// The scene made ready for rays: triangles in world space, lights with their share of the power, one tree over
+// everything. Value type; the renderers only read it.
+#pragma once
+
+#include "reference/bvh.h"
+#include "reference/camera.h"
+#include "reference/geometry.h"
+#include "reference/lights.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace hyalite::reference {
+
+struct Primitive {
+    std::uint32_t object = 0;
+    std::uint32_t triangle = 0; // of the object's mesh; 0 for other shapes
+};
+
+struct World {
+    CameraFrame camera;
+    RenderSettings render;
+    double initialRadius = 0; // ppm: search radius of pass 0 [m]
+    std::vector<Material> materials;
+    std::vector<Object> objects;
+    std::vector<std::vector<Triangle>> triangles; // per object; empty where it is no mesh
+    std::vector<Light> lights;
+    std::vector<Primitive> primitives;
+    Bvh bvh; // over the primitives
+};
+
+// Throws Error(BadInput) where the scene cannot be rendered.
+[[nodiscard]] World prepareWorld(const Scene& scene);
+
+struct Hit {
+    double t = 0; // distance along the ray [m]
+    std::uint32_t object = 0;
+    std::uint32_t primitive = 0; // triangle in the order of the mesh file; 0 for other shapes
+    double u = 0;                // quad: coordinates along its edges; triangle: weights of its second and third corner
+    double v = 0;
+};
+
+// The nearest hit with 0 < t <= tMax; of equally near ones that of the first object, then of the first triangle.
+[[nodiscard]] std::optional<Hit> traceClosest(const World& world, const Ray& ray);
+
+// Is the open way between two points, both moved off their surfaces, free?
+[[nodiscard]] bool traceShadow(const World& world, const glm::dvec3& from, const glm::dvec3& to);
+
+// What a ray meets at a hit.
+struct Surface {
+    glm::dvec3 position;        // world [m]
+    glm::dvec3 geometricNormal; // unit, on the side the ray came from
+    glm::dvec3 normal;          // unit, for shading: interpolated where the mesh has normals, turned likewise
+    bool front = false;         // the ray came from the outside of a sphere or mesh, the emitting side of a quad
+    double offset = 0;          // distance [m] that a leaving ray starts from the surface
+    const Material* material = nullptr; // of the world; nullptr: absorbs
+    glm::dvec3 emission{0};             // radiance towards where the ray came from [W/(m^2 sr)]
+};
+[[nodiscard]] Surface evaluateSurface(const World& world, const Ray& ray, const Hit& hit);
+
+// Where a ray that leaves the surface in the direction starts.
+[[nodiscard]] glm::dvec3 leave(const Surface& surface, const glm::dvec3& direction);
+
+} // namespace hyalite::reference
