@@ -6,7 +6,8 @@ usage() {
     cat <<'END'
 usage: scripts/render.sh [SCENE] [hyalite render options]
 
-Renders SCENE (default: scenes/cornell-caustics.yaml) to its name with .png in the current folder, or to -o FILE.
+Renders SCENE (default: scenes/cornell-caustics.yaml) to its name with .png in the current folder, or to -o FILE, and
+says where the picture is. SCENE comes before the options; build/release/host/hyalite render --help lists them.
 The first call installs missing Debian packages (as root or with sudo) and builds; later ones start at once.
 Ends with the exit code of hyalite: 0 done, 2 usage, 3 bad scene, 4 device or driver, 5 output not written.
 END
@@ -22,15 +23,6 @@ if [[ $# -gt 0 && $1 != -* ]]; then
     scene=$1
     shift
 fi
-output=$(basename "${scene%.*}").png
-outputOption=(-o "$output")
-quiet=0
-for argument in "$@"; do
-    case $argument in
-    -o* | --output | --output=*) outputOption=() ;;
-    --quiet) quiet=1 ;;
-    esac
-done
 
 # Standard output stays hyalite's own, for --json.
 {
@@ -40,6 +32,4 @@ done
     ninja -C "$build" hyalite | { grep -Ev '^ninja: (no work to do|Entering directory)' || true; }
 } >&2
 
-"$build/host/hyalite" render "$scene" "${outputOption[@]}" "$@"
-
-if ((${#outputOption[@]} && !quiet)); then echo "The picture is $PWD/$output" >&2; fi
+exec "$build/host/hyalite" render "$scene" "$@"
