@@ -12,9 +12,10 @@ layout(push_constant, scalar) uniform Push { GatherRadianceArguments args; };
 
 // Photons farther than this from the tangent plane, in search radii, lie on another surface.
 const float kPlaneDistance = 0.25;
-// So do photons whose surface is turned away by more than 60 degrees.
-const float kNormalCosine = 0.5;
+// So do photons whose surface is turned away by more than 60 degrees; the square of the cosine.
+const float kNormalCosine2 = 0.25;
 
+// Flux of the photon if it counts for x, else 0.
 vec3 photonFlux(VisiblePoint x, uint photon) {
     vec4 place = texelFetch(photonTable, int(2u * photon));
     vec3 offset = place.xyz - x.position;
@@ -23,34 +24,46 @@ vec3 photonFlux(VisiblePoint x, uint photon) {
     }
     vec4 rest = texelFetch(photonTable, int(2u * photon + 1u));
     uint surface = floatBitsToUint(rest.w);
-    bool sameSurface = dot(unpackUnitVector(surface, 12u), x.normal) > kNormalCosine;
-    bool fromAbove = dot(unpackUnitVector(floatBitsToUint(place.w), 16u), x.normal) > 0.0;
+    vec3 normal = unpackDirection(surface, 12u);
+    float cosine = dot(normal, x.normal);
+    bool sameSurface = cosine > 0.0 && cosine * cosine > kNormalCosine2 * dot(normal, normal);
+    bool fromAbove = dot(unpackDirection(floatBitsToUint(place.w), 16u), x.normal) > 0.0;
     bool shortEnough = (surface >> 24u) + x.depth <= args.maxDepth;
     return sameSurface && fromAbove && shortEnough ? rest.xyz : vec3(0.0);
 }
 
-// Sums over two x neighbours at once, whose buckets follow one another. Other cells may share the buckets: the cell
-// of each photon is checked, so that none counts twice.
-vec3 sumRow(VisiblePoint x, ivec3 cell) {
-    uint bucket = cellBucket(cell, args.grid.bucketMask);
-    uint next = (bucket + 1u) & args.grid.bucketMask;
-    bool wraps = next == 0u;
-    vec3 sum = vec3(0.0);
-    for (uint part = 0u; part < (wraps ? 2u : 1u); ++part) {
-        uint first = args.cellStarts.at[part == 0u ? bucket : 0u];
-        uint end = args.cellStarts.at[part == 0u ? (wraps ? bucket : next) + 1u : 1u];
-        for (uint photon = first; photon < end; ++photon) {
-            vec3 flux = photonFlux(x, photon);
-            if (flux != vec3(0.0)) {
-                vec3 position = texelFetch(photonTable, int(2u * photon)).xyz;
-                ivec3 home = cellOf(position, args.grid);
-                if (home.yz == cell.yz && (home.x == cell.x || home.x == cell.x + 1)) {
-                    sum += flux;
-                }
-            }
+// The photons that a query has to look at: four rows of two cells, each row one range of the sorted photons, and what
+// lies beyond the end of the table in the rare row that wraps around to bucket 0.
+struct Ranges {
+    uvec4 first;
+    uvec4 end;
+    uint wrappedEnd;
+};
+
+// A cell is as wide as the disc, which so reaches into two cells along each axis. Different cells may share a bucket:
+// a bucket that an earlier row holds is left out of a later one, so that no photon is met twice.
+Ranges candidateRanges(vec3 position) {
+    ivec3 low = cellOf(position - args.radius, args.grid);
+    uint mask = args.grid.bucketMask;
+    uvec4 bucket;
+    Ranges ranges;
+    ranges.wrappedEnd = 0u;
+    for (int row = 0; row < 4; ++row) {
+        bucket[row] = cellBucket(low + ivec3(0, row & 1, row >> 1), mask);
+        bool takeFirst = true, takeSecond = true;
+        for (int earlier = 0; earlier < row; ++earlier) {
+            uint ahead = (bucket[row] - bucket[earlier]) & mask;
+            takeFirst = takeFirst && ahead != 0u && ahead != 1u;
+            takeSecond = takeSecond && ahead != 0u && ahead != mask;
+        }
+        bool wraps = bucket[row] == mask;
+        ranges.first[row] = args.cellStarts.at[bucket[row] + (takeFirst ? 0u : 1u)];
+        ranges.end[row] = args.cellStarts.at[bucket[row] + (takeSecond && !wraps ? 2u : 1u)];
+        if (wraps && takeSecond) {
+            ranges.wrappedEnd = args.cellStarts.at[1];
         }
     }
-    return sum;
+    return ranges;
 }
 
 void main() {
@@ -61,12 +74,21 @@ void main() {
     VisiblePoint x = args.visiblePoints.at[i];
     vec3 flux = vec3(0.0);
     if (x.depth != 0u) {
-        // A cell is as wide as the disc: it reaches into two cells along each axis
-        ivec3 low = cellOf(x.position - args.radius, args.grid);
-        for (int y = 0; y < 2; ++y) {
-            for (int z = 0; z < 2; ++z) {
-                flux += sumRow(x, low + ivec3(0, y, z));
+        Ranges ranges = candidateRanges(x.position);
+        // One loop over all rows: neighbouring threads stay together although their rows differ in length
+        int row = 0;
+        uint photon = ranges.first.x;
+        uint end = ranges.end.x;
+        while (true) {
+            if (photon >= end) {
+                if (++row > 4) {
+                    break;
+                }
+                photon = row < 4 ? ranges.first[row] : 0u;
+                end = row < 4 ? ranges.end[row] : ranges.wrappedEnd;
+                continue;
             }
+            flux += photonFlux(x, photon++);
         }
     }
     args.gathered.at[i] = x.f * flux / (kPi * args.radius * args.radius);

@@ -7,6 +7,8 @@
 #include "lib/shapes.glsl"
 
 layout(constant_id = 0) const bool kHasMeshes = true;
+// A scene of so few objects that trying each is faster than a hierarchy over them; 0: it has more.
+layout(constant_id = 1) const uint kFewObjects = 0u;
 
 // A ray as the box test wants it.
 struct BoxRay {
@@ -143,9 +145,8 @@ void traceObject(uint object, Ray ray, bool any, inout Hit hit) {
     }
 }
 
-// The closest hit along the ray, or with `any` some hit.
-Hit traceScene(uint root, Ray ray, bool any) {
-    Hit hit = Hit(ray.tMax, kNone, 0u, vec2(0.0));
+// Descends the hierarchy over the objects.
+void traceObjects(uint root, Ray ray, bool any, inout Hit hit) {
     BoxRay box = boxRay(ray.origin, ray.direction);
     uint stack[kTraversalStack];
     uint top = 0u;
@@ -163,9 +164,21 @@ Hit traceScene(uint root, Ray ray, bool any) {
         for (uint object = first; object < end; ++object) {
             traceObject(object, ray, any, hit);
             if (any && hit.object != kNone) {
-                return hit;
+                return;
             }
         }
+    }
+}
+
+// The closest hit along the ray, or with `any` some hit.
+Hit traceScene(uint root, Ray ray, bool any) {
+    Hit hit = Hit(ray.tMax, kNone, 0u, vec2(0.0));
+    if (kFewObjects == 0u) {
+        traceObjects(root, ray, any, hit);
+        return hit;
+    }
+    for (uint object = 0u; object < kFewObjects && !(any && hit.object != kNone); ++object) {
+        traceObject(object, ray, any, hit);
     }
     return hit;
 }

@@ -51,13 +51,14 @@ uint packUnitVector(vec3 v, uint bits) {
     return q.x | (q.y << bits);
 }
 
-vec3 unpackUnitVector(uint packed, uint bits) {
+// A vector of the direction that was packed; its length, between 1/sqrt(3) and 1, says nothing.
+vec3 unpackDirection(uint packed, uint bits) {
     uint mask = (1u << bits) - 1u;
-    vec2 p = vec2(packed & mask, (packed >> bits) & mask) / float(mask) * 2.0 - 1.0;
+    vec2 p = vec2(packed & mask, (packed >> bits) & mask) * (2.0 / float(mask)) - 1.0;
     vec3 v = vec3(p, 1.0 - abs(p.x) - abs(p.y));
     if (v.z < 0.0) {
         v.xy = (1.0 - abs(p.yx)) * vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
     }
-    return normalize(v);
+    return v;
 }
 #endif
