@@ -26,6 +26,9 @@ struct PhotonCloud { // the interface nanoflann asks of its points
 
 // Collects candidates from nanoflann's walk; the library's own result sets changed between its versions.
 struct Candidates {
+    using DistanceType = double; // asked for from version 1.7 on
+    using IndexType = std::uint32_t;
+
     double worst; // squared distance [m^2]
     std::vector<std::uint32_t>& indices;
 
