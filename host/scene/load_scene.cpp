@@ -1,0 +1,132 @@
+// See load_scene.h. The top of the format: its sections, objects, and what a scene as a whole must have.
+#include "scene/load_scene.h"
+
+#include "scene/input_file.h"
+#include "scene/mesh_library.h"
+#include "scene/read_lights.h"
+#include "scene/read_materials.h"
+#include "scene/read_shapes.h"
+#include "scene/reader.h"
+#include "scene/scene_limits.h"
+#include "scene/settings.h"
+#include "scene/spelling.h"
+#include "scene/yaml_tree.h"
+
+#include <algorithm>
+#include <new>
+
+namespace hyalite {
+namespace {
+
+constexpr Range kRadiance{0, kLargestEmission, true, true, "W/(m^2 sr)"};
+
+void checkVersion(const Value& version) {
+    if (version.node().kind != YamlNode::Kind::Scalar || version.node().text != "1") {
+        version.fail("unknown version of the scene format", "this program reads hyalite: 1");
+    }
+}
+
+void readMaterials(const Value& value, Scene& scene) {
+    const Reader map(value); // for its check that this is a map: the keys are names of the user's choice
+    for (const YamlEntry& entry : map.map().node().entries) {
+        scene.materials.push_back(readMaterial(Value(*entry.value, value.file(), entry.key)));
+    }
+}
+
+std::size_t findMaterial(const Value& name, const Scene& scene) {
+    const std::string wanted = name.text();
+    std::vector<std::string> known;
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        if (scene.materials[i].name == wanted) {
+            return i;
+        }
+        known.push_back(scene.materials[i].name);
+    }
+    failUnknownWord(name, "material", known);
+}
+
+Object readObject(const Value& value, Scene& scene, MeshLibrary& meshes) {
+    Reader reader(value);
+    Object object;
+    object.where = reader.where();
+    const Value shape = reader.require("shape");
+    const auto transform = reader.find("transform");
+    if (const auto name = reader.find("material")) {
+        object.material = findMaterial(*name, scene);
+    }
+    const auto emission = reader.find("emission");
+    if (emission) {
+        emission->readColor(object.emission, kRadiance);
+    }
+    reader.finish();
+    object.shape = readShape(shape, transform, meshes);
+
+    if (emission && !std::holds_alternative<Quad>(object.shape)) {
+        emission->fail("only quads can emit light", "use a quad or a point light");
+    }
+    if (!object.material && !emission) {
+        value.fail("this object has neither a material nor an emission",
+                   "for a black object use a diffuse material of albedo 0");
+    }
+    return object;
+}
+
+// What no single key can break.
+void checkScene(const Value& root, const Scene& scene) {
+    const bool emits = std::any_of(scene.objects.begin(), scene.objects.end(),
+                                   [](const Object& object) { return object.emission != glm::dvec3(0); });
+    if (scene.lights.empty() && !emits) {
+        root.fail("the scene has no light", "add a point light to 'lights' or give a quad an 'emission'");
+    }
+}
+
+void readScene(const Value& root, const std::filesystem::path& folder, Scene& scene) {
+    Reader reader(root);
+    checkVersion(reader.require("hyalite"));
+    const auto camera = reader.find("camera");
+    const auto render = reader.find("render");
+    const auto materials = reader.find("materials");
+    const auto lights = reader.find("lights");
+    const Value objects = reader.require("objects");
+    reader.finish();
+
+    if (camera) {
+        readCamera(*camera, scene.camera);
+    }
+    if (render) {
+        readRenderSettings(*render, scene.render);
+    }
+    if (materials) {
+        readMaterials(*materials, scene);
+    }
+    if (lights) {
+        for (const Value& light : lights->list()) {
+            readLight(Value(light.node(), light.file(), "light"), scene);
+        }
+    }
+    MeshLibrary meshes(folder, scene.meshes);
+    for (const Value& object : objects.list()) {
+        scene.objects.push_back(readObject(Value(object.node(), object.file(), "object"), scene, meshes));
+    }
+    if (scene.objects.empty()) {
+        objects.fail("the scene has no objects");
+    }
+    checkScene(root, scene);
+}
+
+} // namespace
+
+Scene loadScene(const std::filesystem::path& file) {
+    Scene scene;
+    scene.file = file.string();
+    try {
+        const std::string text = readInputFile(file, kLargestSceneFile, "scene", {});
+        const YamlPointer root = parseYaml(text, scene.file);
+        readScene(Value(*root, scene.file, "scene"), file.parent_path(), scene);
+    } catch (const std::bad_alloc&) {
+        throw Error(ExitCode::BadInput, SourceLocation{scene.file, 0, 0}, "the scene does not fit into memory");
+    }
+    return scene;
+}
+
+} // namespace hyalite

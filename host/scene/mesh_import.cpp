@@ -1,0 +1,35 @@
+// See mesh_import.h. A new format is a parser in a file of its own and a row of kFormats.
+#include "scene/mesh_import.h"
+
+#include "scene/input_file.h"
+#include "scene/scene_limits.h"
+#include "scene/spelling.h"
+
+#include <algorithm>
+#include <array>
+
+namespace hyalite {
+namespace {
+
+struct Format {
+    std::string_view ending;
+    Mesh (*parse)(std::string_view bytes, const std::string& file);
+};
+
+constexpr std::array<Format, 2> kFormats{{{".obj", parseObj}, {".ply", parsePly}}};
+
+} // namespace
+
+Mesh importMesh(const std::filesystem::path& path, const SourceLocation& where) {
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    for (const Format& format : kFormats) {
+        if (format.ending == ending) {
+            return format.parse(readInputFile(path, kLargestMeshFile, "mesh", where), path.string());
+        }
+    }
+    throw Error(ExitCode::BadInput, where, "unknown mesh format " + inQuotes(ending), "known: .obj, .ply");
+}
+
+} // namespace hyalite

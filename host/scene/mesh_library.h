@@ -1,0 +1,30 @@
+// The meshes that a scene names: each file is read once, however many objects show it.
+#pragma once
+
+#include "scene/reader.h"
+#include "scene/scene.h"
+
+#include <filesystem>
+#include <map>
+
+namespace hyalite {
+
+class MeshLibrary {
+public:
+    // Mesh paths are relative to `folder`; the meshes are put into `meshes`, which must outlive the library.
+    MeshLibrary(std::filesystem::path folder, std::vector<Mesh>& meshes)
+        : folder_(std::move(folder)), meshes_(&meshes) {}
+
+    // Index of the mesh that the text `file` names. Throws Error(BadInput): a file that cannot be read at the text's
+    // place, a mistake in it at its place in the mesh file.
+    [[nodiscard]] std::size_t load(const Value& file);
+
+    [[nodiscard]] const Mesh& at(std::size_t index) const { return (*meshes_)[index]; }
+
+private:
+    std::filesystem::path folder_;
+    std::vector<Mesh>* meshes_;
+    std::map<std::filesystem::path, std::size_t> loaded_;
+};
+
+} // namespace hyalite

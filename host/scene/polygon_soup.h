@@ -1,0 +1,42 @@
+// What mesh files have in common: positions, normals, and polygons whose corners index both. Turned into a Mesh here,
+// so that triangulation and the treatment of normals are the same for every format.
+#pragma once
+
+#include "base/error.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace hyalite {
+
+inline constexpr std::uint32_t kNoNormal = 0xffffffffU;
+
+struct Corner {
+    std::uint32_t position = 0;       // in PolygonSoup::positions
+    std::uint32_t normal = kNoNormal; // in PolygonSoup::normals
+};
+
+struct Polygon {
+    std::size_t end = 0; // in PolygonSoup::corners; it begins where the one before ends
+    int line = 0;        // in the file; 0: a binary file
+};
+
+struct PolygonSoup {
+    std::vector<glm::vec3> positions; // object space [m], finite
+    std::vector<glm::vec3> normals;   // of any length
+    std::vector<Corner> corners;      // indices in range
+    std::vector<Polygon> polygons;    // three corners or more
+};
+
+// Splits every polygon into a fan of triangles and gives every corner one index: where corners carry normals, a
+// position is repeated for each normal it is used with, and polygons without normals in such a mesh stay flat.
+// Throws Error(BadInput) at a polygon that no fan covers (it is not convex), at a zero normal, when there is no
+// polygon and when there are too many.
+[[nodiscard]] Mesh buildMesh(const PolygonSoup& soup, const std::string& file);
+
+// A coordinate read from a file, as the device will hold it. Throws Error(BadInput) at `where` unless it is finite
+// and within the range of lengths.
+[[nodiscard]] float meshCoordinate(double value, const SourceLocation& where);
+
+} // namespace hyalite

@@ -1,0 +1,47 @@
+// See read_materials.h. A new material is a reader here and a row of kMaterials.
+#include "scene/read_materials.h"
+
+#include <array>
+
+namespace hyalite {
+namespace {
+
+constexpr Range kFraction{0, 1};
+constexpr Range kIor{0.01, 100}; // glass 1.5, diamond 2.4; below 1: a bubble in glass
+
+MaterialModel readDiffuse(Reader& reader) {
+    Diffuse diffuse;
+    reader.optionalColor("albedo", diffuse.albedo, kFraction);
+    return diffuse;
+}
+
+MaterialModel readMirror(Reader& reader) {
+    Mirror mirror;
+    reader.optionalColor("reflectance", mirror.reflectance, kFraction);
+    return mirror;
+}
+
+MaterialModel readDielectric(Reader& reader) {
+    Dielectric dielectric;
+    reader.optional("ior", dielectric.ior, kIor);
+    return dielectric;
+}
+
+using ReadModel = MaterialModel (*)(Reader&);
+constexpr std::array<Choice<ReadModel>, 3> kMaterials{{
+    {"diffuse", readDiffuse},
+    {"mirror", readMirror},
+    {"dielectric", readDielectric},
+}};
+
+} // namespace
+
+Material readMaterial(const Value& value) {
+    Reader reader(value);
+    const auto read = choose<ReadModel>(reader.require("type"), "material type", kMaterials);
+    Material material{value.name(), read(reader)};
+    reader.finish();
+    return material;
+}
+
+} // namespace hyalite

@@ -1,0 +1,14 @@
+// The scene file's `transform` lists: scale, rotate, translate and matrix, applied in the order of the list.
+#pragma once
+
+#include "scene/reader.h"
+
+#include <glm/glm.hpp>
+
+namespace hyalite {
+
+// Object to world, invertible and affine: the product of the list's maps, the first of them applied first.
+// Throws Error(BadInput).
+[[nodiscard]] glm::dmat4 readTransform(const Value& value);
+
+} // namespace hyalite

@@ -1,0 +1,42 @@
+// The largest and smallest values a scene file may hold, each with its reason. The kernels compute in 32-bit floats:
+// what they would turn into 0 or infinity is refused where it is written.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace hyalite {
+
+// Lengths and coordinates [m]. The squared area of a parallelogram this large is 1e36: still a float.
+inline constexpr double kLargestLength = 1e9;
+
+// Radii, edges and distances [m]: their squares are normal floats (> 1.2e-38).
+inline constexpr double kSmallestLength = 1e-9;
+
+// Radiance, intensity and other strengths of light; times an area of 1e18 m^2 and pi it is still a float.
+inline constexpr double kLargestEmission = 1e12;
+
+// Two directions whose angle is below this [radians] are parallel: a float has 24 bits.
+inline constexpr double kSmallestAngle = 1e-6;
+
+// Image size: what image files and the film's 32-bit indices (one per channel and pixel) hold with room to spare.
+inline constexpr std::uint32_t kLargestSide = 65536;
+inline constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 28U;
+
+// Photons of one pass: their numbers are kept in 24 bits.
+inline constexpr std::uint32_t kMostPhotons = 1U << 24U;
+
+// Bytes of a scene file and of a mesh file, read into memory as a whole.
+inline constexpr std::size_t kLargestSceneFile = std::size_t{64} << 20U;
+inline constexpr std::size_t kLargestMeshFile = std::size_t{2} << 30U;
+
+// Triangles of one mesh: a BVH leaf keeps the first one's index in 27 bits.
+inline constexpr std::size_t kMostTriangles = std::size_t{1} << 27U;
+
+// Lists and maps within one another in a YAML file; a deeper tree could overrun the stack of a recursive reader.
+inline constexpr std::size_t kDeepestYaml = 64;
+
+// Values in a YAML file with every alias (*name) written out: nine nested aliases would otherwise stand for a billion.
+inline constexpr std::size_t kMostYamlNodes = std::size_t{1} << 23U;
+
+} // namespace hyalite
