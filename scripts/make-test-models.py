@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""Writes the models of the test scenes, scenes/models/icosahedron.obj and uv-sphere.ply, from their formulas."""
+
+import math
+import pathlib
+import struct
+
+MODELS = pathlib.Path(__file__).resolve().parent.parent / "scenes" / "models"
+
+
+def write_icosahedron(path):
+    """Twelve corners (0, +-1, +-phi) and their rotations, scaled to the unit sphere; flat, so without normals."""
+    phi = (1 + math.sqrt(5)) / 2
+    corners = []
+    for a in (-1, 1):
+        for b in (-phi, phi):
+            corners += [(0, a, b), (a, b, 0), (b, 0, a)]
+    # Neighbours are 2 apart; every three mutual neighbours make a face, turned counter-clockwise from outside.
+    faces = []
+    for i in range(12):
+        for j in range(i + 1, 12):
+            for k in range(j + 1, 12):
+                sides = [math.dist(corners[m], corners[n]) for m, n in ((i, j), (j, k), (k, i))]
+                if all(abs(side - 2) < 1e-9 for side in sides):
+                    u = [corners[j][x] - corners[i][x] for x in range(3)]
+                    v = [corners[k][x] - corners[i][x] for x in range(3)]
+                    normal = (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
+                    outward = sum(normal[x] * corners[i][x] for x in range(3)) > 0
+                    faces.append((i, j, k) if outward else (i, k, j))
+    assert len(faces) == 20
+    radius = math.hypot(1, phi)
+    lines = ["# Icosahedron in the unit sphere, made by scripts/make-test-models.py"]
+    lines += ["v %.9f %.9f %.9f" % tuple(x / radius for x in corner) for corner in corners]
+    lines += ["f %d %d %d" % tuple(i + 1 for i in face) for face in faces]
+    path.write_text("\n".join(lines) + "\n")
+
+
+def write_uv_sphere(path, rings=12, sectors=24):
+    """Unit sphere of quadrilaterals, triangles at the poles; positions are the normals. Binary, little endian."""
+    vertices = [(0.0, 1.0, 0.0)]
+    for ring in range(1, rings):
+        theta = math.pi * ring / rings
+        for sector in range(sectors):
+            phi = 2 * math.pi * sector / sectors
+            point = (math.sin(theta) * math.cos(phi), math.cos(theta), math.sin(theta) * math.sin(phi))
+            # Rounded, so that every machine's libm writes the same file.
+            vertices.append(tuple(round(x, 7) + 0.0 for x in point))
+    vertices.append((0.0, -1.0, 0.0))
+    last = len(vertices) - 1
+
+    def at(ring, sector):
+        return 1 + (ring - 1) * sectors + sector % sectors
+
+    faces = []
+    for sector in range(sectors):
+        faces.append((0, at(1, sector + 1), at(1, sector)))
+        for ring in range(1, rings - 1):
+            faces.append((at(ring, sector), at(ring, sector + 1), at(ring + 1, sector + 1), at(ring + 1, sector)))
+        faces.append((last, at(rings - 1, sector), at(rings - 1, sector + 1)))
+
+    header = ["ply", "format binary_little_endian 1.0",
+              "comment unit sphere with smooth normals, made by scripts/make-test-models.py",
+              f"element vertex {len(vertices)}"]
+    header += [f"property float {name}" for name in ("x", "y", "z", "nx", "ny", "nz")]
+    header += [f"element face {len(faces)}", "property list uchar int vertex_indices", "end_header"]
+    body = b"".join(struct.pack("<6f", *vertex, *vertex) for vertex in vertices)
+    body += b"".join(struct.pack(f"<B{len(face)}i", len(face), *face) for face in faces)
+    path.write_bytes("\n".join(header).encode() + b"\n" + body)
+
+
+MODELS.mkdir(parents=True, exist_ok=True)
+write_icosahedron(MODELS / "icosahedron.obj")
+write_uv_sphere(MODELS / "uv-sphere.ply")

@@ -1,0 +1,110 @@
+// Random damage to good files: whatever the bytes, the loader returns a scene or throws hyalite::Error. The seed is
+// fixed, so that a failure repeats.
+#include "unit/scene/scene_test_support.h"
+
+#include "scene/mesh_import.h"
+
+#include <array>
+#include <random>
+
+using namespace hyalite;
+using namespace hyalite::test;
+
+namespace {
+
+class Mutator {
+public:
+    explicit Mutator(std::uint32_t seed) : random_(seed) {}
+
+    // One to four edits: bytes changed, removed, doubled, moved, or replaced by something that parsers trip over.
+    std::string mutate(std::string text) {
+        const std::size_t edits = 1 + below(4);
+        for (std::size_t i = 0; i < edits && !text.empty(); ++i) {
+            const std::size_t at = below(text.size());
+            const std::size_t length = std::min(1 + below(12), text.size() - at);
+            switch (below(6)) {
+            case 0:
+                text[at] = static_cast<char>(below(256));
+                break;
+            case 1:
+                text.erase(at, length);
+                break;
+            case 2:
+                text.insert(at, text.substr(at, length));
+                break;
+            case 3:
+                text.insert(below(text.size()), text.substr(at, length));
+                break;
+            case 4:
+                text.replace(at, length, kTrouble[below(kTrouble.size())]);
+                break;
+            default:
+                text.resize(at);
+                break;
+            }
+        }
+        return text;
+    }
+
+private:
+    std::size_t below(std::size_t end) { return random_() % end; }
+
+    static constexpr std::array<std::string_view, 28> kTrouble{
+        "{",       "}",  "[",   "]",   ":",      "-",     "- ",  "&a", "*a",
+        "!",       "!!", "|",   ">",   "'",      "\"",    "#",   "%",  "?",
+        "\t",      "\n", "---", "...", "<<: *a", "1e999", "nan", "-1", "99999999999999999999",
+        "\xff\xfe"};
+    std::mt19937 random_; // its numbers, unlike the distributions', are the same with every library
+};
+
+// Loads so many damaged copies; returns how many were refused. Anything but Error propagates and fails the test.
+template <class Load>
+int countRefused(const std::string& good, std::uint32_t seed, int copies, const Load& load) {
+    Mutator mutator(seed);
+    int refused = 0;
+    for (int i = 0; i < copies; ++i) {
+        const std::string bad = mutator.mutate(good);
+        INFO("copy " << i << " of seed " << seed << ":\n" << bad);
+        refused += errorOf([&] { load(bad); }) ? 1 : 0;
+    }
+    return refused;
+}
+
+} // namespace
+
+TEST_CASE("damaged scene files load or are refused, whatever the damage") {
+    TemporaryFolder folder;
+    folder.write("models/icosahedron.obj", readFile(kSourceFolder / "scenes/models/icosahedron.obj"));
+    folder.write("models/uv-sphere.ply", readFile(kSourceFolder / "scenes/models/uv-sphere.ply"));
+    constexpr int kCopies = 1000;
+    std::uint32_t seed = 1;
+    for (const auto* name : {"cornell-caustics.yaml", "tests/mesh-room.yaml", "tests/point-light-floor.yaml"}) {
+        const std::string good = readFile(kSourceFolder / "scenes" / name);
+        const int refused = countRefused(good, seed++, kCopies, [&](const std::string& bad) {
+            static_cast<void>(loadScene(folder.write("tests/scene.yaml", bad)));
+        });
+        // Damage to a comment or a digit passes; most damage does not.
+        CHECK(refused > kCopies / 4);
+        CHECK(refused < kCopies);
+    }
+}
+
+TEST_CASE("damaged mesh files load or are refused, whatever the damage") {
+    constexpr int kCopies = 2000;
+    const std::string obj = readFile(kSourceFolder / "scenes/models/icosahedron.obj");
+    const int refusedObj =
+        countRefused(obj, 11, kCopies, [](const std::string& bad) { static_cast<void>(parseObj(bad, "bad.obj")); });
+    CHECK(refusedObj > kCopies / 10);
+
+    const std::string binary = readFile(kSourceFolder / "scenes/models/uv-sphere.ply");
+    const int refusedBinary =
+        countRefused(binary, 12, kCopies, [](const std::string& bad) { static_cast<void>(parsePly(bad, "bad.ply")); });
+    CHECK(refusedBinary > kCopies / 10);
+
+    const std::string ascii = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+                              "float z\nelement face 2\nproperty list uchar int vertex_indices\nproperty int id\n"
+                              "end_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 7\n4 0 1 2 3 8\n";
+    const int refusedAscii =
+        countRefused(ascii, 13, kCopies, [](const std::string& bad) { static_cast<void>(parsePly(bad, "bad.ply")); });
+    CHECK(refusedAscii > kCopies / 10);
+}

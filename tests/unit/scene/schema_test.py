@@ -1,0 +1,61 @@
+"""The JSON Schema accepts every scene that is shipped, and refuses what the loader refuses: argument, source folder."""
+
+import copy
+import json
+import pathlib
+import sys
+
+import jsonschema
+import yaml
+
+source = pathlib.Path(sys.argv[1])
+schema = json.loads((source / "scenes/hyalite.schema.json").read_text())
+jsonschema.Draft202012Validator.check_schema(schema)
+validator = jsonschema.Draft202012Validator(schema)
+
+scenes = sorted((source / "scenes").rglob("*.yaml"))
+assert len(scenes) >= 5, scenes
+for path in scenes:
+    for error in validator.iter_errors(yaml.safe_load(path.read_text())):
+        sys.exit(f"{path}: {error.json_path}: {error.message}")
+
+GOOD = {
+    "hyalite": 1,
+    "camera": {"fov": 40, "resolution": [640, 480]},
+    "render": {"integrator": "whitted", "max_depth": 0, "radius": 0},
+    "materials": {"m": {"type": "diffuse", "albedo": 0.5}},
+    "lights": [{"type": "point", "position": [0, 1, 0], "intensity": [1, 1, 1]}],
+    "objects": [
+        {"shape": {"type": "sphere", "radius": 1}, "material": "m", "transform": [{"scale": 2}]},
+        {"shape": {"type": "quad", "corner": [0, 0, 0], "edges": [[1, 0, 0], [0, 1, 0]]}, "emission": 1},
+    ],
+}
+assert validator.is_valid(GOOD)
+
+# A path into the scene and what makes it wrong there; None removes the key.
+MISTAKES = [
+    (["hyalite"], 2), (["hyalite"], None), (["objects"], []), (["objects"], None), (["unheardof"], 1),
+    (["camera", "fov"], 0), (["camera", "fov"], 180), (["camera", "fov"], "40"), (["camera", "fow"], 40),
+    (["camera", "resolution"], [0, 480]), (["camera", "resolution"], [640]), (["camera", "resolution"], [640, 65537]),
+    (["camera", "position"], [0, 1]), (["camera", "position"], [0, 1, 1e10]),
+    (["render", "integrator"], "pmm"), (["render", "max_depth"], 255), (["render", "passes"], 0),
+    (["render", "photons"], 16777217), (["render", "radius"], -1), (["render", "alpha"], 1),
+    (["render", "integrator"], "ppm"),  # with max_depth 0
+    (["materials", "m", "albedo"], 1.1), (["materials", "m", "type"], "velvet"), (["materials", "m", "ior"], 1.5),
+    (["lights", 0, "intensity"], [1, -1, 1]), (["lights", 0, "position"], None), (["lights", 0, "type"], "spot"),
+    (["objects", 0, "material"], None), (["objects", 0, "emission"], 1), (["objects", 0, "shape", "radius"], 0),
+    (["objects", 0, "shape", "radius"], None), (["objects", 0, "shape", "type"], "cube"),
+    (["objects", 0, "transform"], {"scale": 2}), (["objects", 0, "transform", 0, "translate"], [0, 0, 0]),
+    (["objects", 1, "shape", "edges"], [[1, 0, 0]]), (["objects", 1, "emission"], -1),
+    (["objects", 1, "shape"], {"type": "mesh", "file": "teapot.fbx"}),
+]
+for path, wrong in MISTAKES:
+    bad = copy.deepcopy(GOOD)
+    place = bad
+    for step in path[:-1]:
+        place = place[step]
+    if wrong is None:
+        del place[path[-1]]
+    else:
+        place[path[-1]] = wrong
+    assert not validator.is_valid(bad), (path, wrong)

@@ -1,0 +1,99 @@
+// Settings from the command line go through the scene file's readers: same keys, same ranges, errors that name the
+// option.
+#include "unit/scene/scene_test_support.h"
+
+#include "scene/settings.h"
+
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+using Catch::Matchers::ContainsSubstring;
+using namespace hyalite;
+using namespace hyalite::test;
+
+TEST_CASE("every setting changes what it names and nothing else") {
+    Scene scene;
+    applySetting(scene, "render.integrator", "whitted");
+    applySetting(scene, "render.max_depth", "0");
+    applySetting(scene, "render.passes", "7");
+    applySetting(scene, "render.photons", "16777216");
+    applySetting(scene, "render.seed", "0");
+    applySetting(scene, "render.radius", "0.25");
+    applySetting(scene, "render.alpha", "0.5");
+    applySetting(scene, "render.min_weight", "0");
+    applySetting(scene, "camera.fov", "20");
+    applySetting(scene, "camera.position", "[1, 2, 3]");
+    applySetting(scene, "camera.look_at", "[4, 5, 6]");
+    applySetting(scene, "camera.up", "[0, 0, 1]");
+    CHECK(scene.render.integrator == Integrator::Whitted);
+    CHECK(scene.render.maxDepth == 0);
+    CHECK(scene.render.passes == 7);
+    CHECK(scene.render.photons == 16777216);
+    CHECK(scene.render.seed == 0);
+    CHECK(scene.render.radius == 0.25);
+    CHECK(scene.render.alpha == 0.5);
+    CHECK(scene.render.minWeight == 0);
+    CHECK(scene.camera.fov == 20);
+    CHECK(scene.camera.position == glm::dvec3(1, 2, 3));
+    CHECK(scene.camera.lookAt == glm::dvec3(4, 5, 6));
+    CHECK(scene.camera.up == glm::dvec3(0, 0, 1));
+    CHECK(scene.camera.resolution == glm::uvec2(512, 512));
+}
+
+TEST_CASE("a resolution is written 640x480 or as a list") {
+    Scene scene;
+    applySetting(scene, "camera.resolution", "640x480");
+    CHECK(scene.camera.resolution == glm::uvec2(640, 480));
+    applySetting(scene, "camera.resolution", "[32, 16]");
+    CHECK(scene.camera.resolution == glm::uvec2(32, 16));
+}
+
+TEST_CASE("a wrong setting names the option and leaves the scene as it was") {
+    struct Case {
+        std::string key;
+        std::string value;
+        std::string what;
+    };
+    const std::vector<Case> cases{
+        {"render.photons", "0", "--set: 'photons' must be in [1, 16777216], found 0"},
+        {"render.photons", "many", "--set: 'photons' must be a whole number"},
+        {"render.photon", "1", "--set: unknown key 'photon' in 'render' (did you mean 'photons'?)"},
+        {"redner.photons", "1", "--set: unknown setting 'redner.photons' (did you mean 'render'?)"},
+        {"render", "{photons: 1}", "--set: 'render' is a group of settings"},
+        {"", "1", "--set: unknown setting ''"},
+        {"render.", "1", "--set: unknown key ''"},
+        {"camera.resolution", "0x10", "--set: 'resolution' must be in [1, 65536] pixels, found 0"},
+        {"camera.resolution", "512x", "--set: 'resolution' must be a list of 2 numbers, found the text '512x'"},
+        {"camera.resolution", "65536x65536", "--set: more than 268435456 pixels"},
+        {"camera.fov", "180", "--set: 'fov' must be in (0, 180) degrees"},
+        {"camera.fov", "", "--set: holds no values"},
+        {"camera.fov", "[1", "--set: YAML"},
+        {"camera.up", "[0, 0, 1]", "--set: 'up' is parallel"}, // the default camera looks along -z
+        {"camera.look_at", "[0, 0, 5]", "same point"},
+        {"render.integrator", "wihtted", "--set: unknown integrator 'wihtted' (did you mean 'whitted'?)"},
+        {"render.max_depth", "0", "--set: 'max_depth' must be in [1, 255], found 0"},
+    };
+    for (const Case& bad : cases) {
+        INFO(bad.key << '=' << bad.value);
+        Scene scene;
+        const auto error = errorOf([&] { applySetting(scene, bad.key, bad.value); });
+        REQUIRE(error.has_value());
+        CHECK_THAT(error->what(), ContainsSubstring(bad.what));
+        CHECK(error->code() == ExitCode::BadInput);
+        CHECK(error->where().file == "--set");
+        CHECK(error->where().line == 0);
+        CHECK(scene.render.photons == 200000);
+        CHECK(scene.render.maxDepth == 12);
+        CHECK(scene.camera.fov == 45);
+        CHECK(scene.camera.resolution == glm::uvec2(512, 512));
+        CHECK(scene.camera.up == glm::dvec3(0, 1, 0));
+    }
+}
+
+TEST_CASE("an integrator that the present depth does not suit is refused") {
+    Scene scene;
+    applySetting(scene, "render.max_depth", "255");
+    const auto error = errorOf([&] { applySetting(scene, "render.integrator", "whitted", "--integrator"); });
+    REQUIRE(error.has_value());
+    CHECK(std::string(error->what()) == "--integrator: with this integrator 'max_depth' must be in [0, 254], it is "
+                                        "255 (set render.max_depth too)");
+}
