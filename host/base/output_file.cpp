@@ -1,0 +1,170 @@
+// Output files that are either complete or untouched: temporary file, fsync, rename.
+#include "base/output_file.h"
+
+#include "base/error.h"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <string>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+namespace hyalite {
+namespace {
+
+std::string hintFor(int errorNumber) {
+    switch (errorNumber) {
+    case ENOENT:
+    case ENOTDIR:
+        return "the folder does not exist: create it first or choose another";
+    case EACCES:
+    case EPERM:
+        return "no permission to write there: choose another folder or change its permissions";
+    case EROFS:
+        return "the file system is mounted read-only: choose another folder";
+    case ENOSPC:
+    case EDQUOT:
+        return "the disk is full: free some space or choose another folder";
+    case EFBIG:
+        return "the file is larger than the system allows: see `ulimit -f`";
+    case ENAMETOOLONG:
+        return "the file name is too long";
+    default:
+        return "check that the folder exists and is writable";
+    }
+}
+
+[[noreturn]] void throwNotWritten(const std::filesystem::path& path, int errorNumber) {
+    throw Error(ExitCode::OutputNotWritten, SourceLocation{path.string()},
+                "cannot write the file: " + std::generic_category().message(errorNumber), hintFor(errorNumber));
+}
+
+[[noreturn]] void throwNotWritten(const std::filesystem::path& path, const std::string& what, const std::string& hint) {
+    throw Error(ExitCode::OutputNotWritten, SourceLocation{path.string()}, "cannot write the file: " + what, hint);
+}
+
+// Where the bytes really go: the end of a chain of symbolic links, which need not exist yet. Throws where a rename
+// would destroy something that is not a file of the user's to replace: a folder, a device, a write-protected file.
+std::filesystem::path resolveTarget(const std::filesystem::path& path) {
+    if (!path.has_filename()) {
+        throwNotWritten(path, "the path names no file", "give a file name, such as picture.png");
+    }
+    std::error_code failure;
+    std::filesystem::path target = path;
+    if (std::filesystem::is_symlink(std::filesystem::symlink_status(path, failure))) {
+        target = std::filesystem::weakly_canonical(path, failure);
+        if (failure) {
+            throwNotWritten(path, failure.value());
+        }
+    }
+    const std::filesystem::file_status status = std::filesystem::status(target, failure);
+    if (std::filesystem::is_directory(status)) {
+        throwNotWritten(path, "it is a folder", "give a file name inside the folder");
+    }
+    if (std::filesystem::exists(status)) {
+        if (!std::filesystem::is_regular_file(status)) {
+            throwNotWritten(path, "it is a device, a pipe or a socket", "give the name of an ordinary file");
+        }
+        if (::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) {
+            throwNotWritten(path, "the existing file is write-protected",
+                            "choose another name or change its permissions");
+        }
+    }
+    return target;
+}
+
+// A new file beside `target`, removed again unless renamed to it.
+class TemporaryFile {
+public:
+    explicit TemporaryFile(const std::filesystem::path& target) {
+        // A short name of its own: the target's name may already be as long as the file system allows. The process
+        // number keeps programs apart, the counter threads and leftovers of a killed process.
+        constexpr int kMaxAttempts = 1000;
+        for (int attempt = 0; descriptor_ < 0; ++attempt) {
+            path_ = target.parent_path() /
+                    (".hyalite-" + std::to_string(::getpid()) + '-' + std::to_string(attempt) + ".tmp");
+            // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): the only way to ask for an exclusive, umask-honouring
+            // file
+            descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            if (descriptor_ < 0 && (errno != EEXIST || attempt == kMaxAttempts)) {
+                throwNotWritten(target, errno);
+            }
+        }
+    }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    ~TemporaryFile() {
+        if (descriptor_ >= 0) {
+            ::close(descriptor_);
+        }
+        if (!path_.empty()) {
+            ::unlink(path_.c_str());
+        }
+    }
+
+    // Each step returns 0 or the error number, so that the caller names the file that the user asked for.
+    [[nodiscard]] int write(std::span<const std::byte> content) const {
+        while (!content.empty()) {
+            const ::ssize_t written = ::write(descriptor_, content.data(), content.size());
+            if (written > 0) {
+                content = content.subspan(static_cast<std::size_t>(written));
+            } else if (written == 0 || errno != EINTR) {
+                return written == 0 ? EIO : errno;
+            }
+        }
+        return ::fsync(descriptor_) == 0 ? 0 : errno;
+    }
+
+    // Takes over the permissions of the file that is being replaced, if there is one.
+    [[nodiscard]] int copyModeOf(const std::filesystem::path& target) const {
+        struct ::stat old {};
+        if (::stat(target.c_str(), &old) != 0) {
+            return errno == ENOENT ? 0 : errno;
+        }
+        return ::fchmod(descriptor_, old.st_mode & 07777U) == 0 ? 0 : errno;
+    }
+
+    [[nodiscard]] int renameTo(const std::filesystem::path& target) {
+        // close() reports what network file systems found out late.
+        if (::close(std::exchange(descriptor_, -1)) != 0 || ::rename(path_.c_str(), target.c_str()) != 0) {
+            return errno;
+        }
+        path_.clear();
+        return 0;
+    }
+
+private:
+    std::filesystem::path path_;
+    int descriptor_ = -1;
+};
+
+} // namespace
+
+void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> content) {
+    const std::filesystem::path target = resolveTarget(path);
+    TemporaryFile temporary(target);
+    int failure = temporary.write(content);
+    if (failure == 0) {
+        failure = temporary.copyModeOf(target);
+    }
+    if (failure == 0) {
+        failure = temporary.renameTo(target);
+    }
+    if (failure != 0) {
+        throwNotWritten(path, failure);
+    }
+}
+
+void checkWritable(const std::filesystem::path& path) {
+    const std::filesystem::path target = resolveTarget(path);
+    // rename() would fail on a name too long only at the end; ask for its status now.
+    struct ::stat unused {};
+    if (::stat(target.c_str(), &unused) != 0 && errno != ENOENT) {
+        throwNotWritten(path, errno);
+    }
+    const TemporaryFile temporary(target);
+}
+
+} // namespace hyalite
