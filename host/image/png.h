@@ -1,0 +1,21 @@
+// PNG files in memory; writeImage() and readImage() are the way in.
+#pragma once
+
+#include "image/image.h"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace hyalite {
+
+[[nodiscard]] bool looksLikePng(std::span<const std::byte> file);
+
+// 8 bits a channel, sRGB; the image must be finite and within the size limits of image_io.h.
+[[nodiscard]] std::vector<std::byte> encodePng(const Image& image);
+
+// Throws Error(BadInput) that names `fileName`.
+[[nodiscard]] Image decodePng(std::span<const std::byte> file, const std::string& fileName);
+
+} // namespace hyalite
