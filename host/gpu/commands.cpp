@@ -131,7 +131,7 @@ void Commands::Impl::addTimes() {
         const auto [result, ticks] = queries[first / kQueriesPerPool].getResults<std::uint64_t>(
             std::uint32_t(first % kQueriesPerPool), 2, 2 * sizeof(std::uint64_t), sizeof(std::uint64_t),
             vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
-        vk::resultCheck(result, "reading timestamps");
+        requireSuccess(result, "reading timestamps");
         StageTime& time = times[spans[i].name];
         time.seconds += double((ticks[1] - ticks[0]) & context.timestampMask) * context.secondsPerTick;
         time.dispatches += spans[i].dispatches;
@@ -221,8 +221,8 @@ void Commands::finish() {
         recordBarrier(impl_->recorder(), Stage::eHost, vk::AccessFlagBits2::eHostRead);
         impl_->submit(*impl_->fence);
         const vk::Fence fence = *impl_->fence;
-        vk::resultCheck(impl_->context.device.waitForFences(fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max()),
-                        "waiting for the device");
+        requireSuccess(impl_->context.device.waitForFences(fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max()),
+                       "waiting for the device");
         impl_->context.device.resetFences(fence);
         impl_->addTimes();
         impl_->pool.reset();

@@ -12,22 +12,19 @@ namespace {
 
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
 
-VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT /*severity*/,
-                                         VkDebugUtilsMessageTypeFlagsEXT /*types*/,
-                                         const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
-    auto& log = *static_cast<ValidationLog*>(user);
-    ++log.messages;
-    log.handler(data->pMessage);
-    return VK_FALSE; // let the call go on as it would without the layer
-}
-
 // Warnings and errors of the layers; the loader's own chatter ("general") says nothing about our calls.
 vk::DebugUtilsMessengerCreateInfoEXT messengerInfo(ValidationLog& log) {
     using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
     using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
     return {.messageSeverity = Severity::eWarning | Severity::eError,
             .messageType = Type::eValidation | Type::ePerformance,
-            .pfnUserCallback = &onMessage,
+            // Generic, since the headers changed the parameter types from C's to C++'s.
+            .pfnUserCallback = [](auto /*severity*/, auto /*types*/, const auto* data, void* user) -> vk::Bool32 {
+                auto& sink = *static_cast<ValidationLog*>(user);
+                ++sink.messages;
+                sink.handler(data->pMessage);
+                return VK_FALSE; // let the call go on as it would without the layer
+            },
             .pUserData = &log};
 }
 

@@ -81,7 +81,7 @@ private:
     }
 
     // The struct's name, or GLSL's for a scalar or vector.
-    std::string elementName(const SPIRType& type) const {
+    [[nodiscard]] std::string elementName(const SPIRType& type) const {
         const std::string size = std::to_string(type.vecsize);
         switch (type.basetype) {
         case SPIRType::Struct:

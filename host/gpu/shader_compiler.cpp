@@ -47,7 +47,7 @@ public:
 
 private:
     // glslang owns the result until it gives it back; an empty path marks a failure whose text is the reason.
-    IncludeResult* include(const std::string& name, const std::string& includer) const {
+    [[nodiscard]] IncludeResult* include(const std::string& name, const std::string& includer) const {
         if (const std::optional<fs::path> file = sources_.resolve(name, includer)) {
             if (const auto found = texts_.find(file->string()); found != texts_.end()) {
                 return new IncludeResult(found->first, found->second.data(), found->second.size(), nullptr);

@@ -13,6 +13,13 @@
 
 namespace hyalite::gpu {
 
+// For calls that return a result which may be another than success. (The library's own check moved between versions.)
+inline void requireSuccess(vk::Result result, const char* what) {
+    if (result != vk::Result::eSuccess) {
+        throw Error(ExitCode::Device, std::string(what) + ": " + vk::to_string(result));
+    }
+}
+
 // Runs `action`; a failed Vulkan call in it becomes Error(Device) that begins with `what`.
 template <class Action>
 decltype(auto) checked(const std::string& what, Action&& action) {

@@ -10,7 +10,7 @@ namespace hyalite::testing {
 
 Gpu::Gpu() : compiler_(HYALITE_SOURCE_DIR "/shaders", HYALITE_TEST_CACHE) {
     gpu::ContextOptions options;
-    options.validation = std::getenv("HYALITE_VALIDATION") != nullptr;
+    options.validation = std::getenv("HYALITE_VALIDATION") != nullptr; // NOLINT(concurrency-mt-unsafe): nobody sets it
     options.onValidationMessage = [this](const std::string& text) {
         ++messages_;
         std::fprintf(stderr, "validation: %s\n", text.c_str());

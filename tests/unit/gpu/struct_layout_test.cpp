@@ -10,7 +10,6 @@
 
 using namespace hyalite;
 using testing::Gpu;
-using testing::HostLayout;
 
 namespace {
 
