@@ -19,7 +19,7 @@ struct Ray {
 
 struct Triangle {
     std::array<glm::dvec3, 3> corners; // world [m]
-    std::array<glm::dvec3, 3> normals; // world, unit: shading normals of the corners; flat: thrice the geometric one
+    std::array<glm::dvec3, 3> normals; // world, to be interpolated and normalised: shading normals of the corners
     glm::dvec3 normal;                 // world, unit: the front, counter-clockwise in the mesh's own space
 };
 

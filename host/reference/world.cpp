@@ -37,8 +37,8 @@ Triangle bakeTriangle(const Mesh& mesh, const glm::uvec3& indices, const glm::dm
     triangle.normal = area == glm::dvec3(0) ? area : glm::normalize(normalMatrix * area);
     triangle.normals.fill(triangle.normal);
     for (int i = 0; i < 3 && !mesh.normals.empty(); ++i) {
-        triangle.normals[static_cast<std::size_t>(i)] =
-            glm::normalize(normalMatrix * glm::dvec3(mesh.normals.at(indices[i])));
+        // Not normalised: interpolating them is then the same as transforming what the mesh interpolates
+        triangle.normals[static_cast<std::size_t>(i)] = normalMatrix * glm::dvec3(mesh.normals.at(indices[i]));
     }
     return triangle;
 }

@@ -51,7 +51,7 @@ void main() {
     uint vertex = args.depth - 1u;
     vec2 roulette = sampleUnit(numbers, photonScatter(vertex));
     if (material.type == kMaterialDielectric) {
-        float cosIncident = min(-dot(ray.direction, s.normal), 1.0);
+        float cosIncident = clamp(-dot(ray.direction, s.normal), 0.0, 1.0); // a smoothed normal may be turned away
         Interface face = meetInterface(cosIncident, s.front ? 1.0 / material.ior : material.ior);
         bool reflects = roulette.y < face.reflectance;
         follow(i, s, reflects ? reflected(ray.direction, s.normal)

@@ -25,7 +25,7 @@ void follow(uint slot, Surface s, vec3 direction, CameraPath path, vec3 beta, ui
 }
 
 void crossDielectric(uint slot, Surface s, vec3 d, CameraPath path, float ior) {
-    float cosIncident = min(-dot(d, s.normal), 1.0);
+    float cosIncident = clamp(-dot(d, s.normal), 0.0, 1.0); // a smoothed normal may be turned away
     Interface i = meetInterface(cosIncident, s.front ? 1.0 / ior : ior);
     // Radiance over the squared index is what refraction conserves.
     vec3 transmittedBeta = path.beta * (i.eta * i.eta);

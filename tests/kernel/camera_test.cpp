@@ -1,0 +1,34 @@
+// generate_camera_rays against its twin.
+#include "kernel/kernel_support.h"
+#include "reference/shading.h"
+
+namespace hyalite::testing {
+
+TEST_CASE("camera rays leave through the same point of the pixel on both sides") {
+    Scene scene = reference::test::cornellBox();
+    scene.camera.resolution = {37, 23}; // neither square nor a multiple of the group
+    scene.camera.position = {0.3, -0.2, 3.1};
+    scene.camera.lookAt = {0.1, 0.4, -0.5};
+    scene.render.seed = 77;
+    BothSides both(scene);
+    const std::uint32_t pixels = 37 * 23;
+    const auto rays = both.room<shared::Ray>(pixels);
+    const auto paths = both.room<shared::CameraPath>(pixels);
+    for (const std::uint32_t pass : {0U, 1U, 1000U}) {
+        both.run("generate_camera_rays",
+                 shared::GenerateCameraRaysArguments{rays, paths, both.deviceScene.camera, pixels, 77, pass}, pixels);
+        for (std::uint32_t pixel = 0; pixel < pixels; ++pixel) {
+            const reference::Ray expected = reference::generateCameraRay(both.world, pixel, pass);
+            const shared::Ray& ray = rays.host()[pixel];
+            // A handful of roundings of numbers below 1
+            REQUIRE(distance(ray.direction, expected.direction) < 1e-6);
+            REQUIRE(distance(ray.origin, expected.origin) < 1e-6);
+            const shared::CameraPath& path = paths.host()[pixel];
+            REQUIRE(path.samplerSeed == reference::beginCameraPath(both.world, pixel, pass).samplerSeed);
+            REQUIRE(path.pixel == pixel);
+            REQUIRE(path.beta == vec3(1));
+        }
+    }
+}
+
+} // namespace hyalite::testing

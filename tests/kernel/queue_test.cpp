@@ -1,0 +1,120 @@
+// The kernels that keep lists: prefix sums, compaction, sums over a pixel's paths, the film.
+#include "kernel/kernel_support.h"
+#include "render/film.h"
+#include "render/prefix_sum.h"
+
+#include <numeric>
+
+namespace hyalite::testing {
+
+TEST_CASE("prefix sums equal the sequential ones at every size around the chunks") {
+    BothSides both(reference::test::cornellBox());
+    render::PrefixSum prefixSum(both.device);
+    reference::test::Random random;
+    // One chunk, chunks of chunks, and three levels; large before small, so that old contents would show
+    for (const std::uint32_t count : {2097153U, 1U, 127U, 128U, 129U, 16384U, 16385U, 300000U}) {
+        std::vector<shared::uint> values(count);
+        for (auto& value : values) {
+            value = static_cast<shared::uint>(random.between(0, 5));
+        }
+        const auto input = both.upload(values);
+        const auto sums = both.room<shared::uint>(count + 1);
+        prefixSum.run(both.device, input, sums, count);
+        both.device.commands.finish();
+        std::vector<shared::uint> expected(count + 1, 0);
+        std::inclusive_scan(values.begin(), values.end(), expected.begin() + 1);
+        CHECK(sums.read() == expected);
+    }
+}
+
+TEST_CASE("compaction keeps the paths that go on, in their order") {
+    BothSides both(reference::test::cornellBox());
+    const std::uint32_t count = 10000;
+    std::vector<shared::uint> alive(count);
+    std::vector<shared::uint> offsets(count);
+    std::vector<shared::Ray> rays(count);
+    std::vector<shared::CameraPath> camera(count);
+    std::vector<shared::PhotonPath> photon(count);
+    std::vector<std::uint32_t> kept;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        alive[i] = shared::hash(i) % 3 == 0 ? 1 : 0;
+        offsets[i] = static_cast<shared::uint>(kept.size());
+        rays[i].tMax = static_cast<float>(i);
+        camera[i].pixel = i;
+        photon[i].photon = i;
+        if (alive[i] != 0) {
+            kept.push_back(i);
+        }
+    }
+    const auto deviceAlive = both.upload(alive);
+    const auto deviceOffsets = both.upload(offsets);
+    const auto nextRays = both.upload(rays);
+    const auto nextCamera = both.upload(camera);
+    const auto nextPhoton = both.upload(photon);
+    const auto outRays = both.room<shared::Ray>(count);
+    const auto outCamera = both.room<shared::CameraPath>(count);
+    const auto outPhoton = both.room<shared::PhotonPath>(count);
+    both.run("compact_camera_paths",
+             shared::CompactCameraPathsArguments{deviceAlive, deviceOffsets, nextRays, nextCamera, outRays, outCamera,
+                                                 count},
+             count);
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        REQUIRE(outCamera.host()[i].pixel == kept[i]);
+        REQUIRE(outRays.host()[i].tMax == static_cast<float>(kept[i]));
+    }
+    both.run("compact_photon_paths",
+             shared::CompactPhotonPathsArguments{deviceAlive, deviceOffsets, nextRays, nextPhoton, outRays, outPhoton,
+                                                 count},
+             count);
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        REQUIRE(outPhoton.host()[i].photon == kept[i]);
+        REQUIRE(outRays.host()[i].tMax == static_cast<float>(kept[i]));
+    }
+}
+
+TEST_CASE("the paths of a pixel are summed whole, and other pixels are left alone") {
+    BothSides both(reference::test::cornellBox());
+    // Pixel 3 has three paths, pixel 5 one, pixel 6 two; powers of two add without rounding
+    const std::vector<std::uint32_t> pixels{3, 3, 3, 5, 6, 6};
+    std::vector<shared::CameraPath> paths(pixels.size());
+    std::vector<vec3> emitted;
+    std::vector<vec3> direct;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        paths[i].pixel = pixels[i];
+        emitted.emplace_back(static_cast<float>(1U << i));
+        direct.emplace_back(0, static_cast<float>(64U << i), 0);
+    }
+    const auto devicePaths = both.upload(paths);
+    const auto deviceEmitted = both.upload(emitted);
+    const auto deviceDirect = both.upload(direct);
+    const auto radiance = both.upload(std::vector<vec3>(8, vec3(0.5)));
+    both.run("sum_paths", shared::SumPathsArguments{devicePaths, deviceEmitted, deviceDirect, radiance, 6}, 6);
+    const auto sum = radiance.read();
+    CHECK(sum[3] == vec3(0.5 + 7, 0.5 + 7 + 64 * 7, 0.5 + 7));
+    CHECK(sum[5] == vec3(0.5 + 8, 0.5 + 8 + 64 * 8, 0.5 + 8));
+    CHECK(sum[6] == vec3(0.5 + 48, 0.5 + 48 + 64 * 48, 0.5 + 48));
+    for (const std::size_t other : {0U, 1U, 2U, 4U, 7U}) {
+        CHECK(sum[other] == vec3(0.5));
+    }
+}
+
+TEST_CASE("the film starts black, adds passes, and resolves to their mean") {
+    BothSides both(reference::test::cornellBox());
+    const render::Film film(both.device, {5, 3});
+    const auto emitted = both.upload(std::vector<vec3>(15, vec3(1, 0, 0)));
+    const auto direct = both.upload(std::vector<vec3>(15, vec3(0, 2, 0)));
+    auto values = std::vector<vec3>(15, vec3(0, 0, 4));
+    values[7] = vec3(8);
+    const auto gathered = both.upload(values);
+    for (int pass = 0; pass < 4; ++pass) {
+        both.run("accumulate_film", shared::AccumulateFilmArguments{emitted, direct, gathered, film.sums(), 15}, 15);
+    }
+    const Image image = film.resolve(both.device, 4);
+    CHECK(image.width == 5);
+    CHECK(image.height == 3);
+    CHECK(image.at(2, 1) == vec3(9, 10, 8)); // pixel 7
+    CHECK(image.at(0, 0) == vec3(1, 2, 4));
+    CHECK(image.at(4, 2) == vec3(1, 2, 4));
+}
+
+} // namespace hyalite::testing

@@ -1,0 +1,159 @@
+// shade_surface against its twin, with one child and with both.
+#include "kernel/kernel_support.h"
+#include "reference/shading.h"
+
+namespace hyalite::testing {
+
+namespace {
+
+// Positions are right to a few 1e-7 of coordinates up to 10 (a mesh at scale 0.1, in its own space); so are directions
+// and reflectances, once their conditioning is taken out.
+constexpr double kScatterError = 2e-5;
+
+// Runs trace_closest and shade_surface on given rays, as one bounce of a render does.
+struct Bounce {
+    gpu::Array<shared::Ray> rays;
+    gpu::Array<shared::Hit> hits;
+    gpu::Array<shared::CameraPath> paths;
+    gpu::Array<shared::VisiblePoint> visible;
+    gpu::Array<vec3> emitted;
+    gpu::Array<shared::Ray> nextRays;
+    gpu::Array<shared::CameraPath> nextPaths;
+    gpu::Array<shared::uint> alive;
+};
+
+Bounce shade(BothSides& both, const std::vector<shared::Ray>& rays, const std::vector<shared::CameraPath>& paths,
+             std::uint32_t depth, std::uint32_t pass, std::uint32_t split) {
+    const auto count = static_cast<std::uint32_t>(rays.size());
+    const std::size_t slots = (1 + split) * std::size_t{count};
+    Bounce b{both.upload(rays),
+             both.room<shared::Hit>(count),
+             both.upload(paths),
+             both.upload(std::vector<shared::VisiblePoint>(count)),
+             both.upload(std::vector<vec3>(count, vec3(0))),
+             both.room<shared::Ray>(slots),
+             both.room<shared::CameraPath>(slots),
+             both.room<shared::uint>(slots)};
+    both.run("trace_closest", shared::TraceClosestArguments{b.rays, b.hits, count, both.deviceScene.rootNode}, count);
+    const std::uint32_t maxDepth = both.scene.render.maxDepth + split;
+    const auto minWeight = split != 0 ? static_cast<float>(both.scene.render.minWeight) : 0.0F;
+    const auto& d = both.deviceScene;
+    both.run("shade_surface",
+             shared::ShadeSurfaceArguments{b.rays, b.hits, b.paths, d.materials, d.lights, d.normals, d.instances,
+                                           b.visible, b.emitted, b.nextRays, b.nextPaths, b.alive, count, depth,
+                                           maxDepth, pass, split, minWeight},
+             count);
+    return b;
+}
+
+void compareChild(const std::optional<reference::NextRay>& expected, const dvec3& arriving, const dvec3& normal,
+                  const Bounce& b, std::size_t slot) {
+    REQUIRE((b.alive.host()[slot] != 0) == expected.has_value());
+    if (expected) {
+        const shared::Ray& ray = b.nextRays.host()[slot];
+        const shared::CameraPath& path = b.nextPaths.host()[slot];
+        const double condition = conditioning(arriving, expected->ray.direction, normal);
+        CHECK(distance(ray.direction, expected->ray.direction) * condition < kScatterError);
+        CHECK(distance(ray.origin, expected->ray.origin) < 2e-5);
+        CHECK(distance(path.beta, expected->path.beta) * condition < kScatterError);
+        CHECK(path.samplerSeed == expected->path.samplerSeed);
+    }
+}
+
+// Rays from all over the room; those that would not hit the same object are left out, they are trace_test's matter.
+void compareShading(Scene scene, std::uint32_t split, std::uint32_t depth) {
+    scene.render.integrator = split != 0 ? Integrator::Whitted : Integrator::Ppm;
+    BothSides both(scene);
+    reference::test::Random random;
+    const std::size_t count = 20000;
+    std::vector<shared::Ray> rays;
+    std::vector<shared::CameraPath> paths;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const dvec3 origin = random.inCube(0.99);
+        rays.push_back(toDevice({.origin = origin, .direction = random.direction()}));
+        paths.push_back({vec3(0.5, 0.25, 1), i, shared::hash(i)});
+    }
+    const std::uint32_t pass = 3;
+    const Bounce b = shade(both, rays, paths, depth, pass, split);
+
+    std::size_t compared = 0;
+    std::size_t choices = 0; // a coin that falls on the other side of a reflectance that is right to rounding
+    for (std::size_t i = 0; i < count; ++i) {
+        const reference::Ray ray = toReference(rays[i]);
+        const auto hit = reference::traceClosest(both.world, ray);
+        if (!hit || hit->object != both.sceneObject(b.hits.host()[i].object)) {
+            CHECK((hit || b.alive.host()[i * (1 + split)] == 0));
+            continue;
+        }
+        ++compared;
+        const reference::CameraPath path{dvec3(paths[i].beta), paths[i].samplerSeed};
+        const dvec3 normal = reference::evaluateSurface(both.world, ray, *hit).normal;
+        const auto expected = reference::shadeSurface(both.world, ray, *hit, path, depth, pass);
+        CHECK(distance(b.emitted.host()[i], expected.emitted) < 1e-5);
+        const shared::VisiblePoint& v = b.visible.host()[i];
+        REQUIRE((v.depth != 0) == expected.visible.has_value());
+        if (expected.visible) {
+            CHECK(v.depth == depth);
+            CHECK(v.pixel == i);
+            CHECK(v.samplerSeed == expected.visible->samplerSeed);
+            CHECK(distance(v.position, expected.visible->position) < 2e-5);
+            CHECK(distance(v.normal, expected.visible->normal) < 2e-4);
+            CHECK(distance(v.f, expected.visible->f) < 1e-6);
+        }
+        if (split != 0) {
+            compareChild(expected.next[0], ray.direction, normal, b, 2 * i);
+            compareChild(expected.next[1], ray.direction, normal, b, 2 * i + 1);
+            continue;
+        }
+        const auto& next = expected.next[0] ? expected.next[0] : expected.next[1];
+        if (next && b.alive.host()[i] != 0 &&
+            glm::dot(dvec3(b.nextRays.host()[i].direction), next->ray.direction) < 0.99) {
+            ++choices;
+            continue;
+        }
+        compareChild(next, ray.direction, normal, b, i);
+    }
+    CHECK(compared > count * 3 / 4); // the rest leave by the open side
+    CHECK(choices <= 2);
+}
+
+} // namespace
+
+TEST_CASE("one bounce of a camera path that chooses is that of the reference") {
+    compareShading(reference::test::cornellBox(), 0, 1);
+}
+
+TEST_CASE("one bounce that follows both reflection and refraction is that of the reference") {
+    compareShading(reference::test::cornellBox(), 1, 1);
+}
+
+TEST_CASE("meshes, smooth and mirrored ones too, shade as in the reference") {
+    compareShading(crowdedBox(), 1, 1);
+}
+
+TEST_CASE("no path goes on from the last bounce") {
+    Scene scene = reference::test::cornellBox();
+    scene.render.maxDepth = 4;
+    compareShading(scene, 0, 4);
+}
+
+TEST_CASE("a ray in glass beyond the critical angle is totally reflected") {
+    // A sphere of ior 1.5, a ray inside it that meets the surface at 60 degrees; the critical angle is asin(1/1.5)
+    // = 41.8
+    Scene scene = reference::test::cornellBox();
+    scene.objects = {};
+    reference::test::addObject(scene, Quad{{9, 9, 9}, {1, 0, 0}, {0, 1, 0}}, std::nullopt, dvec3(1));
+    reference::test::addObject(scene, Sphere{{0, 0, 0}, 1}, 4);
+    BothSides both(scene);
+    // From (0, sin 60, 0) along x the ray meets the sphere at (cos 60, sin 60, 0); n = -(cos 60, sin 60, 0):
+    // d - 2 (n.d) n = (1, 0) - 2 * 0.5 * (0.5, sin 60) = (0.5, -sin 60)
+    const double s = std::sqrt(3.0) / 2;
+    const std::vector<shared::Ray> rays{{vec3(0, s, 0), 3e38F, vec3(1, 0, 0)}};
+    const Bounce b = shade(both, rays, {{vec3(1), 0, 1}}, 1, 0, 1);
+    REQUIRE(b.alive.host()[0] == 1);
+    CHECK(b.alive.host()[1] == 0); // nothing is refracted
+    CHECK(distance(b.nextRays.host()[0].direction, dvec3(0.5, -s, 0)) < 1e-6);
+    CHECK(b.nextPaths.host()[0].beta == vec3(1));
+}
+
+} // namespace hyalite::testing
