@@ -1,0 +1,76 @@
+// Pictures of both integrators, device against reference, at equal seed and passes.
+#include "image/image_io.h"
+#include "image/metrics.h"
+#include "kernel/kernel_support.h"
+#include "reference/render.h"
+#include "render/renderer.h"
+#include "scene/load_scene.h"
+
+#include <filesystem>
+
+namespace hyalite::testing {
+
+namespace {
+
+Image onDevice(const Scene& scene) {
+    return render::render(Gpu::shared().context(), Gpu::shared().compiler(), scene, {}).image;
+}
+
+// Where the pictures differ more than asked, all three are left in the working folder.
+void comparePictures(const std::string& name, const Scene& scene, double share) {
+    const Image device = onDevice(scene);
+    const Image expected = reference::render(scene);
+    const Crop all = wholeOf(expected);
+    REQUIRE(countNotFinite(device) == 0);
+    const double within = shareWithin(device, expected, 0.01, all);
+    if (within < share) {
+        writeImage(name + "-device.exr", device, {});
+        writeImage(name + "-reference.exr", expected, {});
+    }
+    INFO(name << ": share within 1 % " << within << ", relMSE " << relMse(device, expected, all));
+    CHECK(within >= share);
+    CHECK(relMse(device, expected, all) < 1e-3);
+}
+
+} // namespace
+
+TEST_CASE("whitted gives the reference's picture of mirror, glass and a square light") {
+    Scene scene = reference::test::cornellBox();
+    scene.render.integrator = Integrator::Whitted;
+    scene.camera.resolution = {96, 96};
+    // All is decided by the same numbers: only a ray past an edge may differ
+    comparePictures("whitted-cornell", scene, 0.999);
+}
+
+TEST_CASE("whitted follows the tree of rays through many glass spheres and meshes as the reference does") {
+    Scene scene = crowdedBox();
+    scene.render.integrator = Integrator::Whitted;
+    scene.render.minWeight = 0.01;
+    scene.lights = {{{0, 0.2, 0.8}, {0.5, 0.4, 0.3}}, {{0.6, 0.8, 0.2}, {0.2, 0.3, 0.4}}};
+    scene.camera.resolution = {64, 64};
+    // Several reflections at small spheres multiply rounding errors
+    comparePictures("whitted-crowded", scene, 0.99);
+}
+
+TEST_CASE("ppm gives the reference's picture of the default scene") {
+    Scene scene = loadScene(std::filesystem::path(HYALITE_SOURCE_DIR) / "scenes/cornell-caustics.yaml");
+    scene.camera.resolution = {96, 96};
+    scene.render.passes = 16;
+    scene.render.photons = 50000;
+    scene.render.radius = 0.05;
+    // Some 300 photons a pixel; one that lands on the rim of the disc on one side only is 0.3 % of its indirect light
+    comparePictures("ppm-cornell", scene, 0.99);
+}
+
+TEST_CASE("ppm gives the reference's picture of meshes, point lights and many spheres") {
+    Scene scene = crowdedBox();
+    scene.lights = {{{0, 0.2, 0.8}, {0.5, 0.4, 0.3}}};
+    scene.camera.resolution = {64, 64};
+    scene.render.passes = 16;
+    scene.render.photons = 30000;
+    scene.render.radius = 0.08;
+    // As above, with paths that part after grazing one of thirty small spheres
+    comparePictures("ppm-crowded", scene, 0.97);
+}
+
+} // namespace hyalite::testing
