@@ -26,10 +26,10 @@ struct SourceLocation {
 
 class Error : public std::runtime_error {
 public:
-    Error(ExitCode code, std::string what, std::string hint = {})
-        : Error(code, SourceLocation{}, std::move(what), std::move(hint)) {}
+    Error(ExitCode code, const std::string& what, std::string hint = {})
+        : Error(code, SourceLocation{}, what, std::move(hint)) {}
 
-    Error(ExitCode code, SourceLocation where, std::string what, std::string hint = {})
+    Error(ExitCode code, SourceLocation where, const std::string& what, std::string hint = {})
         : std::runtime_error(format(where, what, hint)), code_(code), where_(std::move(where)), hint_(std::move(hint)) {
     }
 

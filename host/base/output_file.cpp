@@ -119,7 +119,7 @@ public:
 
     // Takes over the permissions of the file that is being replaced, if there is one.
     [[nodiscard]] int copyModeOf(const std::filesystem::path& target) const {
-        struct ::stat old {};
+        struct ::stat old{};
         if (::stat(target.c_str(), &old) != 0) {
             return errno == ENOENT ? 0 : errno;
         }
@@ -160,7 +160,7 @@ void writeFileAtomically(const std::filesystem::path& path, std::span<const std:
 void checkWritable(const std::filesystem::path& path) {
     const std::filesystem::path target = resolveTarget(path);
     // rename() would fail on a name too long only at the end; ask for its status now.
-    struct ::stat unused {};
+    struct ::stat unused{};
     if (::stat(target.c_str(), &unused) != 0 && errno != ENOENT) {
         throwNotWritten(path, errno);
     }

@@ -4,7 +4,6 @@
 #include "render/ppm.h"
 #include "render/whitted.h"
 
-
 namespace hyalite::render {
 
 namespace {

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Starts the photons of a pass: a light in proportion to power, a point on it, a direction from it [Jensen01, 5.1].
+// Starts the photons of a pass: a light in proportion to power, a point on it, a direction from it [Jensen01, ch. 5].
 #include "shared/kernel_arguments.h"
 #include "lib/light.glsl"
 #include "lib/sampling.glsl"

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Radiance estimate at every visible point: the flux of the photons in a disc about it, over the disc's area
-// [Jensen01, eq. 7.7 with a fixed radius].
+// [Jensen01, ch. 7], here with a fixed radius.
 #include "shared/kernel_arguments.h"
 #include "lib/grid.glsl"
 #include "lib/math.glsl"

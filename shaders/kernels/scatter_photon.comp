@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Stores a photon that lands on a diffuse surface after its first segment (direct light is sampled, not stored), then
-// lets Russian roulette decide between reflection and absorption [Jensen01, 5.2]. Nothing follows a photon that has
+// lets Russian roulette decide between reflection and absorption [Jensen01, ch. 5]. Nothing follows a photon that has
 // used all but the last segment of the longest path: that one belongs to the camera.
 #include "shared/kernel_arguments.h"
 #include "lib/dielectric.glsl"

@@ -28,7 +28,7 @@ SHARED_FUNCTION uint reverseBits(uint x) {
 }
 
 // Owen scrambling of the bit-reversed x: each bit is flipped by a hash of the bits below it only (the improved
-// Laine-Karras permutation, [Burley20] listing 3 with N. Vegdahl's constants).
+// Laine-Karras permutation of [Burley20], with constants found by N. Vegdahl).
 SHARED_FUNCTION uint scrambleReversed(uint x, uint seed) {
     x ^= x * 0x3d20adeau;
     x += seed;
