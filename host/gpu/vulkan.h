@@ -2,7 +2,6 @@
 // of host/gpu include it.
 #pragma once
 
-#define VULKAN_HPP_NO_STRUCT_CONSTRUCTORS // so that create infos are written with designated initialisers
 #include <vulkan/vulkan_raii.hpp>
 
 #include "base/error.h"
