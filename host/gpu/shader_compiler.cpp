@@ -10,8 +10,6 @@
 #include <glslang/SPIRV/GlslangToSpv.h>
 #include <glslang/build_info.h>
 
-#include <regex>
-
 namespace hyalite::gpu {
 namespace {
 
@@ -61,17 +59,33 @@ private:
     std::string refusal_ = "no such file beside the including one or at the top of the shaders folder, and inside it";
 };
 
-// Turns glslang's log, "ERROR: file:line: message" line by line, into the exception for its first error.
-Error compileError(const std::string& kernel, const fs::path& file, const std::string& log) {
-    static const std::regex located(R"(ERROR: ([^\n]*?):(\d+): ([^\n]*))");
-    static const std::regex unlocated(R"(ERROR: ([^\n]*))");
-    const std::string prefix = "kernel '" + kernel + "': ";
-    std::smatch match;
-    if (std::regex_search(log, match, located)) {
-        return {ExitCode::BadInput, SourceLocation{match[1], std::stoi(match[2]), 0}, prefix + match[3].str()};
+// "file:line: message" in its parts; line 0 and no file where the text does not begin with a place.
+struct Diagnostic {
+    SourceLocation where;
+    std::string message;
+};
+
+Diagnostic readDiagnostic(const std::string& text) {
+    for (std::size_t colon = text.find(':'); colon != std::string::npos; colon = text.find(':', colon + 1)) {
+        const std::size_t end = text.find_first_not_of("0123456789", colon + 1);
+        if (end != std::string::npos && end > colon + 1 && text.compare(end, 2, ": ") == 0) {
+            const int line = std::stoi(text.substr(colon + 1, end - colon - 1));
+            return {.where = {.file = text.substr(0, colon), .line = line}, .message = text.substr(end + 2)};
+        }
     }
-    const bool found = std::regex_search(log, match, unlocated);
-    return {ExitCode::BadInput, SourceLocation{file.string(), 0, 0}, prefix + (found ? match[1].str() : log)};
+    return {.where = {}, .message = text};
+}
+
+// The exception for the first error in glslang's log, which has one a line.
+Error compileError(const std::string& kernel, const fs::path& file, const std::string& log) {
+    const std::string mark = "ERROR: ";
+    const std::size_t found = log.find(mark);
+    const std::size_t start = found == std::string::npos ? 0 : found + mark.size();
+    Diagnostic first = readDiagnostic(log.substr(start, log.find('\n', start) - start));
+    if (first.where.file.empty()) {
+        first.where.file = file.string();
+    }
+    return {ExitCode::BadInput, first.where, "kernel '" + kernel + "': " + first.message};
 }
 
 SpirV compileSource(const std::string& kernel, const fs::path& file, const ShaderSources& sources,

@@ -7,7 +7,9 @@
 #include <array>
 #include <fstream>
 #include <iterator>
-#include <regex>
+#include <sstream>
+#include <string_view>
+#include <vector>
 
 namespace hyalite::gpu {
 namespace {
@@ -19,6 +21,23 @@ bool isInside(const fs::path& file, const fs::path& folder) {
     const fs::path path = fs::weakly_canonical(file);
     const fs::path root = fs::weakly_canonical(folder);
     return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first == root.end();
+}
+
+// The name in a line like # include "name".
+std::optional<std::string> includedName(std::string_view line) {
+    for (const std::string_view word : {"#", "include"}) {
+        const std::size_t start = line.find_first_not_of(" \t");
+        if (start == std::string_view::npos || !line.substr(start).starts_with(word)) {
+            return std::nullopt;
+        }
+        line.remove_prefix(start + word.size());
+    }
+    const std::size_t open = line.find_first_of("\"<");
+    const std::size_t close = line.find_last_of("\">");
+    if (open == std::string_view::npos || close <= open) {
+        return std::nullopt;
+    }
+    return std::string(line.substr(open + 1, line.find_first_of("\">", open + 1) - open - 1));
 }
 
 // Throws Error(BadInput) when the file cannot be read.
@@ -46,7 +65,6 @@ std::optional<fs::path> ShaderSources::resolve(const std::string& name, const fs
 }
 
 SourceTexts ShaderSources::reach(const fs::path& file) const {
-    static const std::regex includeLine(R"([ \t]*#[ \t]*include[ \t]*["<]([^">\n]+)[">])");
     SourceTexts texts;
     std::vector<fs::path> open{file.lexically_normal()};
     while (!open.empty()) {
@@ -57,10 +75,11 @@ SourceTexts ShaderSources::reach(const fs::path& file) const {
             continue;
         }
         entry->second = readText(path);
-        const std::string& text = entry->second;
-        for (std::sregex_iterator match(text.begin(), text.end(), includeLine), end; match != end; ++match) {
+        std::istringstream lines(entry->second);
+        for (std::string line; std::getline(lines, line);) {
+            const std::optional<std::string> name = includedName(line);
             // What is not there is for the compiler to judge: it knows whether the line counts.
-            if (const std::optional<fs::path> included = resolve((*match)[1], path)) {
+            if (const auto included = name ? resolve(*name, path) : std::nullopt) {
                 open.push_back(*included);
             }
         }
