@@ -1,0 +1,42 @@
+"""Same scene, same seed, same driver: the same bytes, on every run, for any number of threads and any SIMD width."""
+
+from exr import Picture
+from program import CliTest, scene_file
+
+
+class Determinism(CliTest):
+    # Scene and integrator of the pictures that are compared.
+    SUBJECTS = (
+        ("cornell-caustics.yaml", "ppm"),
+        ("cornell-caustics.yaml", "whitted"),
+        ("tests/mesh-room.yaml", "ppm"),
+    )
+    # What lavapipe reads. Where the CPU does not have a width, lavapipe takes a smaller one by itself.
+    ENVIRONMENTS = (
+        {},
+        {},
+        {},
+        {"LP_NUM_THREADS": "1"},
+        {"LP_NUM_THREADS": "2"},
+        {"LP_NATIVE_VECTOR_WIDTH": "128"},
+        {"LP_NATIVE_VECTOR_WIDTH": "256"},
+        {"LP_NATIVE_VECTOR_WIDTH": "512"},
+    )
+
+    def render(self, scene, integrator, environment):
+        # lavapipe by name: the variables are its own.
+        options = ["--integrator", integrator, "--resolution", "64x64", "--passes", "3", "--photons", "20000"]
+        arguments = ["render", scene_file(scene), *options, "--device", "llvmpipe", "-o", "picture.exr"]
+        report = self.succeed_json(*arguments, environment=environment)
+        return (self.folder / "picture.exr").read_bytes(), report["device"]
+
+    def test_runs_threads_and_widths_do_not_change_a_byte(self):
+        for scene, integrator in self.SUBJECTS:
+            first, _ = self.render(scene, integrator, {})
+            self.assertGreater(max(Picture(self.folder / "picture.exr").values()), 0, "the picture is black")
+            for environment in self.ENVIRONMENTS[1:]:
+                with self.subTest(scene=scene, integrator=integrator, environment=environment):
+                    picture, device = self.render(scene, integrator, environment)
+                    self.assertTrue(picture == first, "the bytes differ")
+                    if environment.get("LP_NATIVE_VECTOR_WIDTH") == "128":  # every CPU has it
+                        self.assertIn("128 bits", device, "the variable had no effect")

@@ -1,0 +1,88 @@
+"""Every scene that is shipped renders, and the test scenes show the radiance that their headers derive."""
+
+import math
+
+from exr import Picture
+from program import CliTest, Setup, scene_file
+
+
+class EveryScene(CliTest):
+    def test_every_scene_renders_to_a_picture_of_finite_radiance(self):
+        scenes = sorted((Setup.source / "scenes").rglob("*.yaml"))
+        self.assertGreaterEqual(len(scenes), 5, scenes)
+        for scene in scenes:
+            with self.subTest(scene.name):
+                options = ["--resolution", "32x32", "--passes", "2", "--photons", "5000", "--quiet", "-o", "a.exr"]
+                self.succeed("render", str(scene), *options)
+                picture = Picture(self.folder / "a.exr")
+                self.assertEqual((picture.width, picture.height), (32, 32))
+                self.assertTrue(picture.is_finite())
+                self.assertGreaterEqual(min(picture.values()), 0)
+                self.assertGreater(max(picture.values()), 0)
+                # The program's own reader sees it the same way; it refuses pictures with NaN.
+                self.assertEqual(self.succeed_json("compare", "a.exr", "a.exr")["rmse"], 0)
+
+
+class KnownAnswers(CliTest):
+    BACKENDS = ("vulkan", "reference")
+
+    def render(self, name, backend, *options):
+        arguments = ["render", scene_file(name), "--backend", backend, *options, "--quiet", "-o", "a.exr"]
+        self.succeed(*arguments)
+        return Picture(self.folder / "a.exr")
+
+    # point-light-floor.yaml: camera at (0, 3, 4) looking at the origin, vertical field of view 40 degrees, 65 x 65.
+    SIDE = 65
+
+    def floor_radiance(self, column, row):
+        """Radiance through the point (column, row) of the picture, in pixels from its upper left corner."""
+        half = math.tan(math.radians(20))
+        x = half * (2 * column / self.SIDE - 1)
+        y = half * (1 - 2 * row / self.SIDE)
+        # The view is (0, -3, -4)/5, to the right of it (1, 0, 0), up from it (0, 4, -3)/5.
+        direction = (x, (-3 + 4 * y) / 5, (-4 - 3 * y) / 5)
+        distance = 3 / -direction[1]  # always downwards: the upper edge is 36.9 - 20 degrees below the horizon
+        floor_x, floor_z = distance * direction[0], 4 + distance * direction[2]
+        if max(abs(floor_x), abs(floor_z)) > 5:
+            return 0.0  # beside the floor
+        # The scene's header: 0.5/pi * 10 * 2 / (x^2 + z^2 + 4)^(3/2).
+        return 10 / math.pi / (floor_x**2 + floor_z**2 + 4) ** 1.5
+
+    def range_in_pixel(self, column, row):
+        """Least and largest radiance over a pixel. It falls with the distance from the origin, so that the extremes lie
+        on the pixel's rim or, for the central pixel, in its middle; a grid of 9 x 9 points has them to 0.1 %."""
+        seen = [self.floor_radiance(column + i / 8, row + j / 8) for i in range(9) for j in range(9)]
+        return 0.999 * min(seen), 1.001 * max(seen)
+
+    def test_the_floor_under_a_point_light_has_the_radiance_of_the_closed_form_in_every_pixel(self):
+        # Wherever in its pixel a sample lies, the mean of samples lies between the extremes over the pixel.
+        expected = {(x, y): self.range_in_pixel(x, y) for x in range(self.SIDE) for y in range(self.SIDE)}
+        # Without a second surface there is no indirect light, and photon mapping has the same answer.
+        whitted, ppm = ["--passes", "2"], ["--passes", "2", "--photons", "5000", *self.ppm_settings()]
+        for backend in self.BACKENDS:
+            for options in (whitted, ppm):
+                with self.subTest(backend=backend, options=options):
+                    picture = self.render("tests/point-light-floor.yaml", backend, *options)
+                    outside = [
+                        (pixel, least, picture.at(*pixel), largest)
+                        for pixel, (least, largest) in expected.items()
+                        if not all(least <= value <= largest for value in picture.at(*pixel))
+                    ]
+                    self.assertEqual(outside[:5], [], f"{len(outside)} pixels: (place, least, found, largest)")
+                    # The header's number; over the pixel radiance falls by 0.11 %: at its rim, at most 0.054 m from
+                    # the origin, it is (1 + 0.054^2 / 4)^(-3/2) = 0.9989 of it.
+                    for value in picture.at(32, 32):
+                        self.assertAlmostEqual(value, 5 / (4 * math.pi), delta=0.0012 * 5 / (4 * math.pi))
+
+    @staticmethod
+    def ppm_settings():
+        return ["--set", "render.max_depth=2", "--set", "render.integrator=ppm"]
+
+    def test_straight_through_a_glass_slab_a_light_has_the_transmitted_radiance(self):
+        # The scene's header: 1.3 (1 - R) / (1 + R) with R = 0.04 is 1.2. Off the axis by an angle of up to
+        # 0.22 degrees (the corner of a pixel) the Fresnel terms change by the order of the angle's square, 1.5e-5.
+        for backend in self.BACKENDS:
+            with self.subTest(backend):
+                picture = self.render("tests/glass-slab.yaml", backend, "--passes", "2")
+                for value in picture.at(32, 32):
+                    self.assertAlmostEqual(value, 1.2, delta=1.2 * 1e-4)
