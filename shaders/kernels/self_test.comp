@@ -1,5 +1,6 @@
-// Known answers for selfTest() on the host: a long loop, texel fetches, and a struct in scalar layout.
 #version 460
+#extension GL_GOOGLE_include_directive : require
+// Known answers for selfTest() on the host: a long loop, texel fetches, and a struct in scalar layout.
 #include "lib/thread.glsl"
 #include "shared/self_test.h"
 
