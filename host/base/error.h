@@ -30,11 +30,13 @@ public:
         : Error(code, SourceLocation{}, what, std::move(hint)) {}
 
     Error(ExitCode code, SourceLocation where, const std::string& what, std::string hint = {})
-        : std::runtime_error(format(where, what, hint)), code_(code), where_(std::move(where)), hint_(std::move(hint)) {
-    }
+        : std::runtime_error(format(where, what, hint)), code_(code), where_(std::move(where)), message_(what),
+          hint_(std::move(hint)) {}
 
     [[nodiscard]] ExitCode code() const { return code_; }
     [[nodiscard]] const SourceLocation& where() const { return where_; }
+    // What went wrong alone; what() has the place and the hint too.
+    [[nodiscard]] const std::string& message() const { return message_; }
     [[nodiscard]] const std::string& hint() const { return hint_; }
 
 private:
@@ -42,7 +44,10 @@ private:
     static std::string format(const SourceLocation& where, const std::string& what, const std::string& hint) {
         std::string text = where.file;
         if (where.line > 0) {
-            text += ':' + std::to_string(where.line) + ':' + std::to_string(where.column);
+            text += ':' + std::to_string(where.line);
+            if (where.column > 0) {
+                text += ':' + std::to_string(where.column);
+            }
         }
         if (!text.empty()) {
             text += ": ";
@@ -56,6 +61,7 @@ private:
 
     ExitCode code_;
     SourceLocation where_;
+    std::string message_;
     std::string hint_;
 };
 

@@ -45,6 +45,9 @@ std::string hintFor(int errorNumber) {
     throw Error(ExitCode::OutputNotWritten, SourceLocation{path.string()}, "cannot write the file: " + what, hint);
 }
 
+// As many symbolic links as the kernel follows.
+constexpr int kMostLinks = 40;
+
 // Where the bytes really go: the end of a chain of symbolic links, which need not exist yet. Throws where a rename
 // would destroy something that is not a file of the user's to replace: a folder, a device, a write-protected file.
 std::filesystem::path resolveTarget(const std::filesystem::path& path) {
@@ -53,11 +56,16 @@ std::filesystem::path resolveTarget(const std::filesystem::path& path) {
     }
     std::error_code failure;
     std::filesystem::path target = path;
-    if (std::filesystem::is_symlink(std::filesystem::symlink_status(path, failure))) {
-        target = std::filesystem::weakly_canonical(path, failure);
+    // Link by link: the library's canonical paths stop at a link whose target is not there yet
+    for (int links = 0; std::filesystem::is_symlink(std::filesystem::symlink_status(target, failure)); ++links) {
+        if (links == kMostLinks) {
+            throwNotWritten(path, ELOOP);
+        }
+        const std::filesystem::path next = std::filesystem::read_symlink(target, failure);
         if (failure) {
             throwNotWritten(path, failure.value());
         }
+        target = target.parent_path() / next; // an absolute one replaces it all
     }
     const std::filesystem::file_status status = std::filesystem::status(target, failure);
     if (std::filesystem::is_directory(status)) {
@@ -75,10 +83,10 @@ std::filesystem::path resolveTarget(const std::filesystem::path& path) {
     return target;
 }
 
-// A new file beside `target`, removed again unless renamed to it.
+// A new file beside `target`, removed again unless renamed to it; errors name `asked`, the path that led there.
 class TemporaryFile {
 public:
-    explicit TemporaryFile(const std::filesystem::path& target) {
+    TemporaryFile(const std::filesystem::path& target, const std::filesystem::path& asked) {
         // A short name of its own: the target's name may already be as long as the file system allows. The process
         // number keeps programs apart, the counter threads and leftovers of a killed process.
         constexpr int kMaxAttempts = 1000;
@@ -89,7 +97,7 @@ public:
             // file
             descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
             if (descriptor_ < 0 && (errno != EEXIST || attempt == kMaxAttempts)) {
-                throwNotWritten(target, errno);
+                throwNotWritten(asked, errno);
             }
         }
     }
@@ -144,7 +152,7 @@ private:
 
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> content) {
     const std::filesystem::path target = resolveTarget(path);
-    TemporaryFile temporary(target);
+    TemporaryFile temporary(target, path);
     int failure = temporary.write(content);
     if (failure == 0) {
         failure = temporary.copyModeOf(target);
@@ -164,7 +172,7 @@ void checkWritable(const std::filesystem::path& path) {
     if (::stat(target.c_str(), &unused) != 0 && errno != ENOENT) {
         throwNotWritten(path, errno);
     }
-    const TemporaryFile temporary(target);
+    const TemporaryFile temporary(target, path);
 }
 
 } // namespace hyalite

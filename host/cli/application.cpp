@@ -3,6 +3,9 @@
 #include "cli/command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <csignal>
 #include <iostream>
 #include <new>
 
@@ -10,8 +13,11 @@ namespace hyalite::cli {
 
 namespace {
 
+// One line on stderr, whatever a file name or an option may hold.
 int fail(ExitCode code, const std::string& what) {
-    std::cerr << "hyalite: " << what << '\n';
+    std::string line = what;
+    std::ranges::replace_if(line, [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+    std::cerr << "hyalite: " << line << '\n';
     return static_cast<int>(code);
 }
 
@@ -32,12 +38,17 @@ int parseAndRun(int argc, char** argv) {
         }
         return fail(ExitCode::WrongUsage, std::string(error.what()) + " (see hyalite --help)");
     }
+    std::cout.flush();
+    if (!std::cout) {
+        return fail(ExitCode::OutputNotWritten, "the text output could not be written (is its disk full?)");
+    }
     return static_cast<int>(exit);
 }
 
 } // namespace
 
 int run(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large fails its write, and does not end the program
     try {
         return parseAndRun(argc, argv);
     } catch (const Error& error) {

@@ -1,5 +1,6 @@
 // `hyalite compare`: how far a picture is from its reference, for eyes, for scripts (--json) and for CI (--max-…).
 #include "cli/command.h"
+#include "cli/number_check.h"
 #include "image/error_map.h"
 #include "image/flip.h"
 #include "image/image_io.h"
@@ -152,14 +153,15 @@ void addCompare(CLI::App& app, ExitCode& exit) {
     command->add_option("--crop", options->crop, "compare these pixels only")->delimiter(',')->type_name("X,Y,W,H");
     command->add_option("--within", options->within, "relative tolerance for the share of pixels within it")
         ->capture_default_str()
-        ->check(CLI::NonNegativeNumber)
+        ->check(finiteNumber(/*zeroAllowed*/ true))
         ->type_name("REL");
     command->add_option("-o,--output", options->difference, "write FLIP as a false-colour picture")->type_name("FILE");
-    command->add_option("--max-rmse", options->maxRmse, "exit with 1 above this RMSE")->check(CLI::NonNegativeNumber);
+    command->add_option("--max-rmse", options->maxRmse, "exit with 1 above this RMSE")
+        ->check(finiteNumber(/*zeroAllowed*/ true));
     command->add_option("--max-relmse", options->maxRelMse, "exit with 1 above this relMSE")
-        ->check(CLI::NonNegativeNumber);
+        ->check(finiteNumber(/*zeroAllowed*/ true));
     command->add_option("--max-flip", options->maxFlip, "exit with 1 above this mean FLIP")
-        ->check(CLI::NonNegativeNumber);
+        ->check(finiteNumber(/*zeroAllowed*/ true));
     command->callback([options, &exit] { runCompare(*options, exit); });
 }
 

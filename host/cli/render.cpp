@@ -3,6 +3,7 @@
 #include "base/progress.h"
 #include "base/stopwatch.h"
 #include "cli/command.h"
+#include "cli/number_check.h"
 #include "cli/render_report.h"
 #include "cli/shader_folder.h"
 #include "gpu/self_test.h"
@@ -11,7 +12,10 @@
 #include "scene/settings.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <optional>
 
@@ -30,34 +34,68 @@ struct RenderCommand {
     bool profile = false;
     bool json = false;
     bool quiet = false;
-    // Options that stand for a key of the scene file: (option, key, value)
+    // Options that stand for a key of the scene file
     struct Setting {
         std::string option;
         std::string key;
         std::optional<std::string> value;
     };
-    std::vector<Setting> shorthands{{"--integrator", "render.integrator", {}}, // first: ranges depend on it
-                                    {"--resolution", "camera.resolution", {}}, {"--passes", "render.passes", {}},
-                                    {"--samples", "render.passes", {}},        {"--photons", "render.photons", {}},
-                                    {"--max-depth", "render.max_depth", {}},   {"--seed", "render.seed", {}}};
+    std::vector<Setting> shorthands{{"--integrator", "render.integrator", {}},
+                                    {"--resolution", "camera.resolution", {}},
+                                    {"--passes", "render.passes", {}},
+                                    {"--samples", "render.passes", {}},
+                                    {"--photons", "render.photons", {}},
+                                    {"--max-depth", "render.max_depth", {}},
+                                    {"--seed", "render.seed", {}}};
     std::vector<std::string> settings; // key=value
 };
 
-Scene loadWithSettings(const RenderCommand& command) {
-    Scene scene = loadScene(command.scene);
-    for (const auto& setting : command.shorthands) {
-        if (setting.value) {
-            applySetting(scene, setting.key, *setting.value, setting.option);
-        }
-    }
-    for (const std::string& setting : command.settings) {
-        const std::size_t equals = setting.find('=');
+std::vector<RenderCommand::Setting> allSettings(const RenderCommand& command) {
+    std::vector<RenderCommand::Setting> settings;
+    std::ranges::copy_if(command.shorthands, std::back_inserter(settings),
+                         [](const auto& setting) { return setting.value.has_value(); });
+    for (const std::string& text : command.settings) {
+        const std::size_t equals = text.find('=');
         if (equals == std::string::npos) {
-            throw Error(ExitCode::WrongUsage, "--set " + setting + " has no value", "write --set key=value");
+            throw Error(ExitCode::WrongUsage, "--set " + text + " has no value", "write --set key=value");
         }
-        applySetting(scene, setting.substr(0, equals), setting.substr(equals + 1));
+        settings.push_back({"--set", text.substr(0, equals), text.substr(equals + 1)});
     }
-    return scene;
+    return settings;
+}
+
+// Settings may need one another (a depth of 0 suits one integrator only): what is refused is tried again after the
+// rest.
+void applySettings(Scene& scene, std::vector<RenderCommand::Setting> settings) {
+    while (!settings.empty()) {
+        std::vector<RenderCommand::Setting> refused;
+        std::optional<Error> first;
+        for (const auto& setting : settings) {
+            try {
+                applySetting(scene, setting.key, *setting.value, setting.option);
+            } catch (const Error& error) {
+                first = first ? first : error;
+                refused.push_back(setting);
+            }
+        }
+        if (refused.size() == settings.size()) {
+            throw Error(*first);
+        }
+        settings = std::move(refused);
+    }
+}
+
+// An option that would have no effect is a mistake, not a matter of taste.
+void refuseDeviceOptions(const RenderCommand& command) {
+    const auto refuse = [](bool given, const char* option) {
+        if (given) {
+            throw Error(ExitCode::WrongUsage, std::string("--backend reference has no use for ") + option);
+        }
+    };
+    refuse(!command.device.empty(), "--device");
+    refuse(!command.shaders.empty(), "--shaders");
+    refuse(command.validation, "--validation");
+    refuse(command.profile, "--profile");
 }
 
 std::string name(Integrator integrator) {
@@ -106,7 +144,12 @@ Image renderByReference(const RenderCommand& command, const Scene& scene, Progre
 
 void renderScene(RenderCommand command) {
     const Stopwatch watch;
-    const Scene scene = loadWithSettings(command);
+    const bool byReference = command.backend == "reference";
+    if (byReference) {
+        refuseDeviceOptions(command);
+    }
+    Scene scene = loadScene(command.scene);
+    applySettings(scene, allSettings(command));
     if (command.outputs.empty()) {
         command.outputs.push_back(std::filesystem::path(command.scene).stem().string() + ".png");
     }
@@ -124,8 +167,8 @@ void renderScene(RenderCommand command) {
     Image image;
     {
         ProgressBar bar(!command.quiet && !command.json);
-        image = command.backend == "reference" ? renderByReference(command, scene, bar, report)
-                                               : renderOnDevice(command, scene, bar, report);
+        image =
+            byReference ? renderByReference(command, scene, bar, report) : renderOnDevice(command, scene, bar, report);
     }
     for (const std::string& output : command.outputs) {
         writeImage(output, image,
@@ -148,8 +191,9 @@ void renderScene(RenderCommand command) {
     if (!command.quiet) {
         for (const std::string& output : command.outputs) {
             std::cout << std::filesystem::absolute(output).lexically_normal().string() << ": " << report.resolution.x
-                      << " x " << report.resolution.y << ", " << report.passes << " passes in "
-                      << std::round(10 * report.totalSeconds) / 10 << " s\n";
+                      << " x " << report.resolution.y << ", " << report.passes
+                      << (report.passes == 1 ? " pass in " : " passes in ") << std::round(10 * report.totalSeconds) / 10
+                      << " s\n";
         }
     }
 }
@@ -169,6 +213,7 @@ void addRender(CLI::App& app, ExitCode&) {
     shorthand(1, "picture size, WIDTHxHEIGHT");
     shorthand(2, "passes, each one sample per pixel");
     shorthand(3, "the same as --passes");
+    sub->get_option("--samples")->excludes("--passes");
     shorthand(4, "photons emitted per pass");
     shorthand(5, "longest path in segments; whitted: reflections and refractions in a row");
     shorthand(6, "seed of the random numbers");
@@ -176,7 +221,7 @@ void addRender(CLI::App& app, ExitCode&) {
         ->check(CLI::IsMember({"vulkan", "reference"}));
     sub->add_option("--device", command->device, "part of a device's name, or its number (see hyalite doctor)");
     sub->add_option("--time", command->time, "stop when this many seconds of rendering would be exceeded")
-        ->check(CLI::PositiveNumber);
+        ->check(finiteNumber(/*zeroAllowed*/ false));
     sub->add_option("--shaders", command->shaders, "folder of shaders to use instead of the installed ones");
     sub->add_option("--set", command->settings, "set a key of the scene file, e.g. --set render.radius=0.01");
     sub->add_flag("--validation", command->validation, "check every Vulkan call with the validation layers");

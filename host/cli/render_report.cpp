@@ -19,11 +19,13 @@ std::string jsonReport(const RenderReport& report) {
     object["passes"] = report.passes;
     object["seconds"] = {
         {"total", report.totalSeconds}, {"setup", report.setupSeconds}, {"render", report.renderSeconds}};
-    object["counts"] = {{"camera_rays", report.counts.cameraRays},
-                        {"shadow_rays", report.counts.shadowRays},
-                        {"photon_rays", report.counts.photonRays},
-                        {"photons_emitted", report.counts.photonsEmitted},
-                        {"photons_stored", report.counts.photonsStored}};
+    if (report.counts) {
+        object["counts"] = {{"camera_rays", report.counts->cameraRays},
+                            {"shadow_rays", report.counts->shadowRays},
+                            {"photon_rays", report.counts->photonRays},
+                            {"photons_emitted", report.counts->photonsEmitted},
+                            {"photons_stored", report.counts->photonsStored}};
+    }
     for (const auto& [name, time] : report.stages) {
         object["stages"][name] = {
             {"seconds", time.seconds}, {"dispatches", time.dispatches}, {"threads", time.threads}};

@@ -3,6 +3,7 @@
 
 #include "render/renderer.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,7 @@ struct RenderReport {
     double totalSeconds = 0; // from start to written files
     double setupSeconds = 0;
     double renderSeconds = 0;
-    render::Counts counts;
+    std::optional<render::Counts> counts; // the reference does not count
     std::map<std::string, gpu::StageTime> stages;
 };
 

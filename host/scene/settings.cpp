@@ -109,7 +109,7 @@ std::string resolutionAsYaml(const std::string& value) {
 
 void applySetting(Scene& scene, const std::string& key, const std::string& value, const std::string& option) {
     const auto fail = [&](const std::string& what, const std::string& hint) {
-        throw Error(ExitCode::BadInput, SourceLocation{option, 0, 0}, what, hint);
+        throw Error(ExitCode::WrongUsage, SourceLocation{option, 0, 0}, what, hint);
     };
     const auto dot = key.find('.');
     const std::string section = key.substr(0, dot);
@@ -125,15 +125,18 @@ void applySetting(Scene& scene, const std::string& key, const std::string& value
     YamlNode map;
     map.kind = YamlNode::Kind::Map;
     const std::string text = key == "camera.resolution" ? resolutionAsYaml(value) : value;
-    map.entries.push_back({key.substr(dot + 1), 0, 0, parseYaml(text, option, false)});
-
     Camera camera = scene.camera;
     RenderSettings render = scene.render;
-    const Value group(map, option, section);
-    if (section == "camera") {
-        readCamera(group, camera);
-    } else {
-        readRenderSettings(group, render);
+    try {
+        map.entries.push_back({key.substr(dot + 1), 0, 0, parseYaml(text, option, false)});
+        const Value group(map, option, section);
+        if (section == "camera") {
+            readCamera(group, camera);
+        } else {
+            readRenderSettings(group, render);
+        }
+    } catch (const Error& error) { // a mistake on the command line, not in a file
+        throw Error(ExitCode::WrongUsage, error.where(), error.message(), error.hint());
     }
     scene.camera = camera;
     scene.render = render;

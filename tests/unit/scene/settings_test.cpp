@@ -78,7 +78,7 @@ TEST_CASE("a wrong setting names the option and leaves the scene as it was") {
         const auto error = errorOf([&] { applySetting(scene, bad.key, bad.value); });
         REQUIRE(error.has_value());
         CHECK_THAT(error->what(), ContainsSubstring(bad.what));
-        CHECK(error->code() == ExitCode::BadInput);
+        CHECK(error->code() == ExitCode::WrongUsage);
         CHECK(error->where().file == "--set");
         CHECK(error->where().line == 0);
         CHECK(scene.render.photons == 200000);
