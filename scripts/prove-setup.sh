@@ -74,9 +74,13 @@ makeRoot() {
     git clone --quiet --no-local "$source" "$root/hyalite"
 }
 
-# Runs a command in the root, in a home folder of its own, with nothing of this machine's environment.
+# Runs a command in the root, in a home folder of its own, with nothing of this machine's environment, and with
+# pseudo-terminals of its own, as any machine has them.
 inside() {
-    unshare --mount --pid --fork --kill-child --mount-proc="$root/proc" chroot "$root" \
+    # shellcheck disable=SC2016  # expanded by the inner shell
+    unshare --mount --pid --fork --kill-child --mount-proc="$root/proc" bash -c '
+        mkdir -p "$0/dev/pts" && mount -t devpts -o newinstance,ptmxmode=0666 devpts "$0/dev/pts" &&
+            ln -sf pts/ptmx "$0/dev/ptmx" && exec chroot "$0" "$@"' "$root" \
         env -i HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
         bash -c 'cd && "$@"' inside "$@"
 }

@@ -79,9 +79,9 @@ TEST_CASE("shading normals are interpolated, transformed by the inverse transpos
     const glm::dmat4 stretched = glm::scale(glm::dmat4(1), dvec3(2, 1, 1));
     addObject(scene, MeshInstance{.mesh = 0, .objectToWorld = stretched}, std::nullopt);
     const World world = prepareWorld(scene);
-    // Halfway along the first edge. World normals of its ends: z and normalize(h/2, 0, h) = (1, 0, 2) / sqrt 5; their
-    // sum is along (1, 0, 2 + sqrt 5).
-    const dvec3 expected = glm::normalize(dvec3(1, 0, 2 + std::sqrt(5.0)));
+    // Halfway along the first edge the mesh's normal is along (0, 0, 1) + (h, 0, h) with h = 1 / sqrt 2; the inverse
+    // transpose halves x: (h / 2, 0, 1 + h), along (1, 0, 2 + 2 sqrt 2).
+    const dvec3 expected = glm::normalize(dvec3(1, 0, 2 + 2 * std::sqrt(2.0)));
     const Surface front = surfaceAlong(world, {.origin = {1, 0, 1}, .direction = {0, 0, -1}});
     checkNear(front.normal, expected, 1e-7); // the file's normals are single precision
     checkNear(front.geometricNormal, {0, 0, 1}, 1e-15);
