@@ -18,14 +18,13 @@ uint pickLight(LightArray lights, uint lightCount, float x) {
     return first;
 }
 
-// A point on the light, moved off its emitting side by the rounding of its coordinates.
+// A point on the light, moved off its emitting side by what the rounding of its coordinates may be.
 vec3 pointOnLight(LightRecord light, vec2 u) {
     if (light.type == kLightPoint) {
         return light.position;
     }
     vec3 p = light.position + u.x * light.edge0 + u.y * light.edge1;
-    float error = kPositionError * (largestCoordinate(light.position) + largestCoordinate(light.edge0)
-                                    + largestCoordinate(light.edge1));
+    float error = kPlaneError * dot(abs(light.normal), abs(light.position) + abs(light.edge0) + abs(light.edge1));
     return p + error * light.normal;
 }
 

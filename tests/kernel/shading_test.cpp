@@ -156,4 +156,55 @@ TEST_CASE("a ray in glass beyond the critical angle is totally reflected") {
     CHECK(b.nextPaths.host()[0].beta == vec3(1));
 }
 
+TEST_CASE("a ray that leaves a quad or a sphere does not hit it again at once") {
+    // Oblique surfaces of all sizes, near the origin and away from it; neither a plane nor a ball from outside can be
+    // met again by a ray that goes to the side it came from
+    Scene scene = reference::test::cornellBox();
+    scene.objects.resize(6); // walls and light
+    reference::test::Random random;
+    for (int i = 0; i < 60; ++i) {
+        const dvec3 place = random.inCube(0.9);
+        const double size = std::pow(10.0, random.between(-2, 0));
+        if (i % 2 == 0) {
+            reference::test::addObject(scene, Quad{place, size * random.direction(), size * random.direction()}, 0);
+        } else {
+            reference::test::addObject(scene, Sphere{place, 0.3 * size}, 0);
+        }
+    }
+    BothSides both(scene);
+    const std::uint32_t count = 200000;
+    std::vector<shared::Ray> rays;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        rays.push_back(toDevice({.origin = random.inCube(0.95), .direction = random.direction()}));
+    }
+    const Bounce b = shade(both, rays, std::vector<shared::CameraPath>(count, {vec3(1), 0, 1}), 1, 0, 1);
+    std::vector<shared::Ray> leaving;
+    std::vector<std::uint32_t> from;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const shared::VisiblePoint& x = b.visible.host()[i];
+        const dvec3 outward = x.normal;
+        const dvec3 direction = random.direction();
+        const bool inside = x.depth == 0 || glm::dot(direction, outward) < 1e-3; // none, or along the surface
+        const auto& shape =
+            x.depth == 0 ? scene.objects[0].shape : scene.objects[both.sceneObject(b.hits.host()[i].object)].shape;
+        const auto* sphere = std::get_if<Sphere>(&shape);
+        const bool withinBall = sphere != nullptr && glm::dot(dvec3(x.position) - sphere->center, outward) < 0;
+        if (!inside && !withinBall) {
+            leaving.push_back({x.position, 3e38F, direction});
+            from.push_back(b.hits.host()[i].object);
+        }
+    }
+    const auto leavingCount = static_cast<std::uint32_t>(leaving.size());
+    const auto deviceRays = both.upload(leaving);
+    const auto hits = both.room<shared::Hit>(leavingCount);
+    both.run("trace_closest", shared::TraceClosestArguments{deviceRays, hits, leavingCount, both.deviceScene.rootNode},
+             leavingCount);
+    std::size_t again = 0;
+    for (std::uint32_t i = 0; i < leavingCount; ++i) {
+        again += hits.host()[i].object == from[i] ? 1 : 0;
+    }
+    CHECK(leavingCount > count / 3);
+    CHECK(again == 0);
+}
+
 } // namespace hyalite::testing
