@@ -17,7 +17,7 @@ using glm::dvec3;
 using glm::vec3;
 using glm::vec4;
 
-// Leaf sizes that measure best: an object costs several box tests, a triangle about one.
+// Few to a leaf: an object costs several box tests, a triangle about one. Estimates, not yet measured.
 constexpr std::uint32_t kObjectsPerLeaf = 2;
 constexpr std::uint32_t kTrianglesPerLeaf = 4;
 
