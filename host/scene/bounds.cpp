@@ -1,28 +1,86 @@
 // See bounds.h.
 #include "scene/bounds.h"
 
+#include "scene/quadric.h"
+
+#include <cmath>
+
 namespace hyalite {
 namespace {
 
-void addShape(Bounds& box, const Scene& /*scene*/, const Sphere& sphere) {
-    box.add(sphere.center - sphere.radius);
-    box.add(sphere.center + sphere.radius);
+Bounds shapeBounds(const Scene& /*scene*/, const Sphere& sphere) {
+    return {sphere.center - sphere.radius, sphere.center + sphere.radius};
 }
 
-void addShape(Bounds& box, const Scene& /*scene*/, const Quad& quad) {
+Bounds shapeBounds(const Scene& /*scene*/, const Quad& quad) {
+    Bounds box;
     box.add(quad.corner);
     box.add(quad.corner + quad.edge0);
     box.add(quad.corner + quad.edge1);
     box.add(quad.corner + quad.edge0 + quad.edge1);
+    return box;
 }
 
-void addShape(Bounds& box, const Scene& scene, const MeshInstance& instance) {
-    const Bounds mesh = meshBounds(scene.meshes[instance.mesh], instance.objectToWorld);
-    box.add(mesh.low);
-    box.add(mesh.high);
+Bounds shapeBounds(const Scene& /*scene*/, const Disk& disk) {
+    const glm::dvec3 reach = glm::sqrt(disk.axis0 * disk.axis0 + disk.axis1 * disk.axis1);
+    return {disk.center - reach, disk.center + reach};
+}
+
+Bounds shapeBounds(const Scene& /*scene*/, const Plane& plane) {
+    Bounds box = Bounds::everything();
+    for (int axis = 0; axis < 3; ++axis) { // a plane across an axis has no extent along it
+        if (std::abs(plane.normal[axis]) == 1) {
+            box.low[axis] = plane.point[axis];
+            box.high[axis] = plane.point[axis];
+        }
+    }
+    return box;
+}
+
+Bounds shapeBounds(const Scene& /*scene*/, const Quadric& quadric) {
+    return worldBounds(quadric);
+}
+
+Bounds shapeBounds(const Scene& /*scene*/, const Torus& torus) {
+    const double out = torus.major + torus.minor;
+    return transformed(Bounds{{-out, -torus.minor, -out}, {out, torus.minor, out}}, torus.objectToWorld);
+}
+
+Bounds shapeBounds(const Scene& scene, const MeshInstance& instance) {
+    return meshBounds(scene.meshes[instance.mesh], instance.objectToWorld);
+}
+
+// As a solid: a plane is the half-space behind it.
+Bounds leafBounds(const Scene& scene, const Object& leaf) {
+    const auto* plane = std::get_if<Plane>(&leaf.shape);
+    return plane != nullptr ? Bounds::everything() : worldBounds(scene, leaf);
+}
+
+Bounds shapeBounds(const Scene& scene, const Csg& csg) {
+    std::vector<Bounds> stack;
+    std::size_t leaf = csg.firstLeaf;
+    for (const CsgStep step : csg.program) {
+        if (step == CsgStep::Leaf) {
+            stack.push_back(leafBounds(scene, scene.csgLeaves[leaf++]));
+            continue;
+        }
+        const Bounds right = stack.back();
+        stack.pop_back();
+        Bounds& left = stack.back();
+        if (step == CsgStep::Union) {
+            left = {glm::min(left.low, right.low), glm::max(left.high, right.high)};
+        } else if (step == CsgStep::Intersection) {
+            left = intersection(left, right);
+        }
+    }
+    return stack.back();
 }
 
 } // namespace
+
+bool isFinite(const Bounds& box) {
+    return std::isfinite(glm::dot(box.low, glm::dvec3(1))) && std::isfinite(glm::dot(box.high, glm::dvec3(1)));
+}
 
 Bounds meshBounds(const Mesh& mesh, const glm::dmat4& objectToWorld) {
     Bounds box;
@@ -35,10 +93,22 @@ Bounds meshBounds(const Mesh& mesh, const glm::dmat4& objectToWorld) {
     return box;
 }
 
+Bounds worldBounds(const Scene& scene, const Object& object) {
+    return std::visit([&](const auto& shape) { return shapeBounds(scene, shape); }, object.shape);
+}
+
 Bounds sceneBounds(const Scene& scene) {
     Bounds box;
     for (const Object& object : scene.objects) {
-        std::visit([&](const auto& shape) { addShape(box, scene, shape); }, object.shape);
+        const Bounds one = worldBounds(scene, object);
+        if (isFinite(one)) {
+            box.add(one.low);
+            box.add(one.high);
+        }
+    }
+    if (!(box.low.x <= box.high.x)) {
+        box.add(scene.camera.position);
+        box.add(scene.camera.lookAt);
     }
     return box;
 }

@@ -4,25 +4,18 @@
 #include "scene/scene.h"
 
 #include <glm/glm.hpp>
-#include <limits>
 
 namespace hyalite {
-
-// Axis-aligned box [m]; empty until a point is added.
-struct Bounds {
-    glm::dvec3 low{std::numeric_limits<double>::infinity()};
-    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
-
-    void add(const glm::dvec3& point) {
-        low = glm::min(low, point);
-        high = glm::max(high, point);
-    }
-};
 
 // Bounds of the mesh's triangles in world space.
 [[nodiscard]] Bounds meshBounds(const Mesh& mesh, const glm::dmat4& objectToWorld);
 
-// Bounds of all objects in world space; the scene has at least one.
+// Bounds of an object in world space; a box with an infinite side holds a shape without end.
+[[nodiscard]] Bounds worldBounds(const Scene& scene, const Object& object);
+
+[[nodiscard]] bool isFinite(const Bounds& box);
+
+// Bounds of all objects in world space that have an end; where none has, of the camera and what it looks at.
 [[nodiscard]] Bounds sceneBounds(const Scene& scene);
 
 // Radius of the scene's bounding sphere [m]: half the diagonal of its bounds.
