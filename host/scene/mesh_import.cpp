@@ -5,7 +5,6 @@
 #include "scene/scene_limits.h"
 #include "scene/spelling.h"
 
-#include <algorithm>
 #include <array>
 
 namespace hyalite {
@@ -16,20 +15,18 @@ struct Format {
     Mesh (*parse)(std::string_view bytes, const std::string& file);
 };
 
-constexpr std::array<Format, 2> kFormats{{{".obj", parseObj}, {".ply", parsePly}}};
+constexpr std::array<Format, 3> kFormats{{{".obj", parseObj}, {".ply", parsePly}, {".stl", parseStl}}};
 
 } // namespace
 
 Mesh importMesh(const std::filesystem::path& path, const SourceLocation& where) {
-    std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    const std::string ending = lowerCase(path.extension().string());
     for (const Format& format : kFormats) {
         if (format.ending == ending) {
             return format.parse(readInputFile(path, kLargestMeshFile, "mesh", where), path.string());
         }
     }
-    throw Error(ExitCode::BadInput, where, "unknown mesh format " + inQuotes(ending), "known: .obj, .ply");
+    throw Error(ExitCode::BadInput, where, "unknown mesh format " + inQuotes(ending), "known: .obj, .ply, .stl");
 }
 
 } // namespace hyalite

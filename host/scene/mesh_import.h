@@ -1,9 +1,9 @@
-// Triangle meshes from OBJ and PLY files.
+// Triangle meshes from OBJ, PLY and STL files.
 //
-// Both are read by small strict parsers of our own. The libraries at hand were looked at and left: assimp's OBJ and
+// They are read by small strict parsers of our own. The libraries at hand were looked at and left: assimp's OBJ and
 // PLY importers have a long record of heap overflows on malformed files (its issues 4770, 4925 and 5729, among many),
-// and tinyobjloader, which reads no PLY, takes a missing coordinate for 0 and had its share (its issue 175). Neither
-// says where in the file a mistake is. Together the two formats are a few hundred lines.
+// and tinyobjloader, which reads OBJ alone, takes a missing coordinate for 0 and had its share (its issue 175). Neither
+// says where in the file a mistake is. Together these formats are a few hundred lines.
 #pragma once
 
 #include "scene/scene.h"
@@ -14,12 +14,13 @@
 
 namespace hyalite {
 
-// Reads a mesh; the file's ending (.obj, .ply, in any case) names its format. Throws Error(BadInput): at `where` if
-// the file cannot be read, else with the place in the mesh file.
+// Reads a mesh; the file's ending (.obj, .ply, .stl, in any case) names its format. Throws Error(BadInput): at `where`
+// if the file cannot be read, else with the place in the mesh file.
 [[nodiscard]] Mesh importMesh(const std::filesystem::path& path, const SourceLocation& where);
 
 // The same from bytes in memory; `file` is for messages and Mesh::file.
 [[nodiscard]] Mesh parseObj(std::string_view bytes, const std::string& file);
 [[nodiscard]] Mesh parsePly(std::string_view bytes, const std::string& file);
+[[nodiscard]] Mesh parseStl(std::string_view bytes, const std::string& file);
 
 } // namespace hyalite

@@ -39,4 +39,22 @@ std::vector<std::uint32_t> weldPositions(std::span<const glm::vec3> positions) {
     return first;
 }
 
+void weldVertices(Mesh& mesh) {
+    std::vector<std::uint32_t> index = weldPositions(mesh.positions);
+    std::uint32_t kept = 0;
+    for (std::uint32_t i = 0; i < index.size(); ++i) {
+        if (index[i] == i) {
+            mesh.positions[kept] = mesh.positions[i];
+            index[i] = kept++;
+        } else {
+            index[i] = index[index[i]]; // the first one's place is known already
+        }
+    }
+    mesh.positions.resize(kept);
+    mesh.positions.shrink_to_fit();
+    for (glm::uvec3& triangle : mesh.triangles) {
+        triangle = {index[triangle.x], index[triangle.y], index[triangle.z]};
+    }
+}
+
 } // namespace hyalite

@@ -99,7 +99,10 @@ private:
             if (!number) {
                 fail(word, "expected a number, found " + inQuotes(word.text));
             }
-            value[axis] = meshCoordinate(*number, at(word));
+            if (!isMeshCoordinate(*number)) {
+                failCoordinate(*number, at(word), {});
+            }
+            value[axis] = static_cast<float>(*number);
         }
         return value;
     }

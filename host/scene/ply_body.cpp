@@ -43,10 +43,12 @@ double decode(PlyType type, std::uint64_t bits) {
 
 } // namespace
 
+std::string PlyBody::of() const {
+    return element_ == nullptr ? std::string() : element_->name + ' ' + std::to_string(index_ + 1) + ": ";
+}
+
 void PlyBody::fail(const std::string& what, const std::string& hint) const {
-    const std::string of =
-        element_ == nullptr ? std::string() : element_->name + ' ' + std::to_string(index_ + 1) + ": ";
-    throw Error(ExitCode::BadInput, where(), of + what, hint);
+    throw Error(ExitCode::BadInput, where(), of() + what, hint);
 }
 
 void PlyBody::checkRoomFor(const PlyElement& element) const {

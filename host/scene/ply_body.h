@@ -34,6 +34,7 @@ public:
 
     [[nodiscard]] int line() const { return encoding_ == PlyEncoding::Ascii ? line_ : 0; }
     [[nodiscard]] SourceLocation where() const { return {name_, line(), line() > 0 ? column_ : 0}; }
+    [[nodiscard]] std::string of() const; // "vertex 3: ", what is being read
     [[noreturn]] void fail(const std::string& what, const std::string& hint = {}) const;
 
 private:

@@ -52,7 +52,10 @@ void readVertices(PlyBody& body, const PlyElement& element, const std::string& f
                 body.skip(property);
             } else {
                 const double value = body.number(property.type);
-                values[roles[k]] = meshCoordinate(value, body.where());
+                if (!isMeshCoordinate(value)) {
+                    failCoordinate(value, body.where(), body.of());
+                }
+                values[roles[k]] = static_cast<float>(value);
             }
         }
         body.endElement();

@@ -42,14 +42,8 @@ private:
     }
 
     void checkCount() const {
-        if (soup_.polygons.empty()) {
-            throw Error(ExitCode::BadInput, SourceLocation{mesh_.file, 0, 0}, "the mesh has no triangles");
-        }
         // A polygon of n corners makes n - 2 triangles.
-        if (soup_.corners.size() - 2 * soup_.polygons.size() > kMostTriangles) {
-            throw Error(ExitCode::BadInput, SourceLocation{mesh_.file, 0, 0},
-                        "the mesh has more than " + std::to_string(kMostTriangles) + " triangles");
-        }
+        checkTriangleCount(soup_.corners.size() - 2 * soup_.polygons.size(), mesh_.file);
     }
 
     [[nodiscard]] glm::dvec3 position(const Corner& corner) const { return soup_.positions[corner.position]; }
@@ -147,15 +141,26 @@ Mesh buildMesh(const PolygonSoup& soup, const std::string& file) {
     return MeshBuilder(soup, file).build();
 }
 
-float meshCoordinate(double value, const SourceLocation& where) {
+void checkTriangleCount(std::size_t count, const std::string& file) {
+    if (count == 0) {
+        throw Error(ExitCode::BadInput, SourceLocation{file, 0, 0}, "the mesh has no triangles");
+    }
+    if (count > kMostTriangles) {
+        throw Error(ExitCode::BadInput, SourceLocation{file, 0, 0},
+                    "the mesh has more than " + std::to_string(kMostTriangles) + " triangles");
+    }
+}
+
+bool isMeshCoordinate(double value) {
+    return std::abs(value) <= kLargestLength; // false for NaN
+}
+
+void failCoordinate(double value, const SourceLocation& where, const std::string& of) {
     if (!std::isfinite(value)) {
-        throw Error(ExitCode::BadInput, where, "a coordinate is not a finite number");
+        throw Error(ExitCode::BadInput, where, of + "a coordinate is not a finite number");
     }
-    if (std::abs(value) > kLargestLength) {
-        throw Error(ExitCode::BadInput, where, "the coordinate " + numberText(value) + " is too large",
-                    "at most " + numberText(kLargestLength));
-    }
-    return static_cast<float>(value);
+    throw Error(ExitCode::BadInput, where, of + "the coordinate " + numberText(value) + " is too large",
+                "at most " + numberText(kLargestLength));
 }
 
 } // namespace hyalite

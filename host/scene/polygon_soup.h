@@ -35,8 +35,13 @@ struct PolygonSoup {
 // polygon and when there are too many.
 [[nodiscard]] Mesh buildMesh(const PolygonSoup& soup, const std::string& file);
 
-// A coordinate read from a file, as the device will hold it. Throws Error(BadInput) at `where` unless it is finite
-// and within the range of lengths.
-[[nodiscard]] float meshCoordinate(double value, const SourceLocation& where);
+// Throws Error(BadInput) when a mesh of so many triangles is empty or too large.
+void checkTriangleCount(std::size_t count, const std::string& file);
+
+// Whether the device can hold a coordinate read from a file: it is finite and within the range of lengths.
+[[nodiscard]] bool isMeshCoordinate(double value);
+
+// Throws Error(BadInput) for a coordinate that is not; `of` stands before the message.
+[[noreturn]] void failCoordinate(double value, const SourceLocation& where, const std::string& of);
 
 } // namespace hyalite

@@ -14,6 +14,13 @@ std::string inQuotes(std::string_view text) {
     return '\'' + shown + (text.size() > kLongest ? "...'" : "'");
 }
 
+std::string lowerCase(std::string_view text) {
+    std::string lower(text);
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return lower;
+}
+
 std::size_t editDistance(std::string_view a, std::string_view b) {
     // Rows i-2, i-1 and i of the table: row[j] is the distance from a's first i letters to b's first j.
     std::vector<std::size_t> beforeLast(b.size() + 1);

@@ -10,6 +10,9 @@ namespace hyalite {
 // 'text' in quotes on one line: control characters replaced, cut after 60 characters.
 [[nodiscard]] std::string inQuotes(std::string_view text);
 
+// ASCII letters made small.
+[[nodiscard]] std::string lowerCase(std::string_view text);
+
 // Letters to insert, delete, replace or swap with their neighbour to turn one word into the other
 // (optimal string alignment).
 [[nodiscard]] std::size_t editDistance(std::string_view a, std::string_view b);

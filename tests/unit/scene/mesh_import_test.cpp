@@ -1,59 +1,20 @@
 // OBJ and PLY import: the same small mesh in every encoding, normals, polygons, and every mistake with its place.
-#include "unit/scene/scene_test_support.h"
+#include "unit/scene/mesh_test_support.h"
 
 #include "scene/mesh_import.h"
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <catch2/matchers/catch_matchers_string.hpp>
 #include <cmath>
-#include <cstring>
 
-using Catch::Matchers::ContainsSubstring;
 using namespace hyalite;
 using namespace hyalite::test;
 
 namespace {
-
-using Triangle = std::array<glm::vec3, 3>;
-
-std::vector<Triangle> trianglesOf(const Mesh& mesh) {
-    std::vector<Triangle> triangles;
-    for (const glm::uvec3& t : mesh.triangles) {
-        triangles.push_back({mesh.positions.at(t.x), mesh.positions.at(t.y), mesh.positions.at(t.z)});
-    }
-    return triangles;
-}
-
-// A pyramid by hand: a square base in the plane y = 0, seen from below, and four sides up to the tip.
-const std::vector<glm::vec3> kCorners{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}, {0.5F, 2, 0.5F}};
-const std::vector<std::vector<std::uint32_t>> kFaces{{0, 1, 2, 3}, {1, 0, 4}, {2, 1, 4}, {3, 2, 4}, {0, 3, 4}};
-// The base is the fan (0 1 2), (0 2 3).
-const std::vector<glm::uvec3> kTriangles{{0, 1, 2}, {0, 2, 3}, {1, 0, 4}, {2, 1, 4}, {3, 2, 4}, {0, 3, 4}};
-
-void checkPyramid(const Mesh& mesh) {
-    CHECK(mesh.positions == kCorners);
-    CHECK(mesh.normals.empty());
-    CHECK(mesh.triangles == kTriangles);
-}
 
 std::string asciiPyramid() {
     std::string text = "ply\nformat ascii 1.0\ncomment a pyramid\nelement vertex 5\nproperty float x\nproperty float "
                        "y\nproperty float z\nelement face 5\nproperty list uchar int vertex_indices\nend_header\n";
     text += "0 0 0\n1 0 0\n1 0 1\n0 0 1\n0.5 2 0.5\n4 0 1 2 3\n3 1 0 4\n3 2 1 4\n3 3 2 4\n3 0 3 4\n";
     return text;
-}
-
-// Appends a value's bytes in either order.
-template <class T>
-void put(std::string& bytes, T value, bool bigEndian) {
-    std::array<char, sizeof(T)> raw{};
-    std::memcpy(raw.data(), &value, sizeof(T));
-    if (bigEndian == (std::endian::native == std::endian::little)) {
-        std::reverse(raw.begin(), raw.end());
-    }
-    bytes.append(raw.data(), raw.size());
 }
 
 // The pyramid with extra properties and elements, lists among them, which a reader must step over.
@@ -91,21 +52,6 @@ std::string binaryPyramid(bool bigEndian) {
         put(bytes, std::uint8_t{9}, bigEndian);
     }
     return bytes;
-}
-
-// The error of parsing marked OBJ or ASCII PLY text stands at the mark; without a mark it has no line.
-void checkRejected(Mesh (*parse)(std::string_view, const std::string&), const std::string& marked,
-                   const std::string& what) {
-    INFO(marked);
-    const MarkedText text(marked);
-    const auto error = errorOf([&] { return parse(text.text, "mesh.file"); });
-    REQUIRE(error.has_value());
-    INFO(error->what());
-    CHECK(error->code() == ExitCode::BadInput);
-    CHECK(error->where().file == "mesh.file");
-    CHECK(error->where().line == text.line);
-    CHECK(error->where().column == text.column);
-    CHECK_THAT(error->what(), ContainsSubstring(what));
 }
 
 const std::string kPlyTop = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
