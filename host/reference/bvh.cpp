@@ -2,6 +2,7 @@
 #include "reference/bvh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace hyalite::reference {
@@ -9,6 +10,7 @@ namespace hyalite::reference {
 Bvh::Bvh(const std::vector<Box>& boxes) : items_(boxes.size()) {
     std::iota(items_.begin(), items_.end(), 0U);
     if (!boxes.empty()) {
+        nodes_.reserve(boxes.size()); // leaves hold two boxes or more, but for a single one
         build(boxes, 0, static_cast<std::uint32_t>(boxes.size()));
     }
 }
@@ -41,11 +43,12 @@ void Bvh::build(const std::vector<Box>& boxes, std::uint32_t begin, std::uint32_
     build(boxes, middle, end);
 }
 
-bool Bvh::enters(const Ray& ray, const glm::dvec3& inverse, const Box& box) {
-    // Three roundings (subtraction, reciprocal, product) on each side: widen the far end by twice their bound, so that
-    // no box is missed. A NaN (0 times infinity: the ray runs in a face) fails both comparisons and clips nothing.
-    constexpr double kWiden = 1 + 2 * (3 * 0x1p-53) / (1 - 3 * 0x1p-53);
-    double enter = 0;
+bool Bvh::meets(const Ray& ray, const glm::dvec3& inverse, double tMin, const Box& box) {
+    // Three roundings (subtraction, reciprocal, product) on each side, and as many in the intersections with what the
+    // box holds: widen both ends by more than their bound, so that no box is missed. A NaN (0 times infinity: the ray
+    // runs in a face) fails both comparisons and clips nothing.
+    constexpr double kWiden = 16 * 0x1p-53;
+    double enter = tMin;
     double leave = ray.tMax;
     for (int axis = 0; axis < 3; ++axis) {
         double t0 = (box.lower[axis] - ray.origin[axis]) * inverse[axis];
@@ -53,7 +56,8 @@ bool Bvh::enters(const Ray& ray, const glm::dvec3& inverse, const Box& box) {
         if (inverse[axis] < 0) {
             std::swap(t0, t1);
         }
-        t1 *= kWiden;
+        t0 -= kWiden * std::abs(t0);
+        t1 += kWiden * std::abs(t1);
         enter = t0 > enter ? t0 : enter;
         leave = t1 < leave ? t1 : leave;
     }

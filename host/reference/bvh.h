@@ -27,10 +27,10 @@ public:
     Bvh() = default;
     explicit Bvh(const std::vector<Box>& boxes);
 
-    // Calls visit(index of a box) for every box that the ray may enter at t <= ray.tMax, nearer ones mostly first.
-    // The visitor may lower ray.tMax; where it returns false the walk ends.
+    // Calls visit(index of a box) for every box that the ray may be in at some t in [tMin, ray.tMax], nearer ones
+    // mostly first. The visitor may lower ray.tMax; where it returns false the walk ends.
     template <typename Visit>
-    void walk(Ray& ray, Visit&& visit) const;
+    void walk(Ray& ray, Visit&& visit, double tMin = 0) const;
 
 private:
     static constexpr std::uint32_t kLeafSize = 4;
@@ -44,14 +44,14 @@ private:
     };
 
     void build(const std::vector<Box>& boxes, std::uint32_t begin, std::uint32_t end);
-    [[nodiscard]] static bool enters(const Ray& ray, const glm::dvec3& inverse, const Box& box);
+    [[nodiscard]] static bool meets(const Ray& ray, const glm::dvec3& inverse, double tMin, const Box& box);
 
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> items_; // indices of boxes, leaf by leaf
 };
 
 template <typename Visit>
-void Bvh::walk(Ray& ray, Visit&& visit) const {
+void Bvh::walk(Ray& ray, Visit&& visit, double tMin) const {
     if (nodes_.empty()) {
         return;
     }
@@ -62,7 +62,7 @@ void Bvh::walk(Ray& ray, Visit&& visit) const {
     while (size > 0) {
         const std::uint32_t index = stack[--size];
         const Node& node = nodes_[index];
-        if (!enters(ray, inverse, node.box)) {
+        if (!meets(ray, inverse, tMin, node.box)) {
             continue;
         }
         for (std::uint32_t i = 0; i < node.count; ++i) {

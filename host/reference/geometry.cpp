@@ -1,4 +1,4 @@
-// The intersections, each from the paper named in the header.
+// The elementary shapes, each from the paper named in the header.
 #include "reference/geometry.h"
 
 #include <algorithm>
@@ -6,14 +6,6 @@
 #include <utility>
 
 namespace hyalite::reference {
-
-namespace {
-
-bool inRange(double t, const Ray& ray) {
-    return t > 0 && t <= ray.tMax;
-}
-
-} // namespace
 
 std::optional<ShapeHit> intersectSphere(const Ray& ray, const Sphere& sphere) {
     // t^2 - 2 b t + c = 0. The discriminant is taken from the distance of ray and centre, which stays exact where
@@ -39,6 +31,14 @@ std::optional<ShapeHit> intersectSphere(const Ray& ray, const Sphere& sphere) {
     return std::nullopt;
 }
 
+SurfacePoint surfaceAt(const Sphere& sphere, const Ray& ray, const ShapeHit& hit) {
+    const glm::dvec3 normal = glm::normalize(ray.origin + hit.t * ray.direction - sphere.center);
+    return {.position = sphere.center + sphere.radius * normal,
+            .geometricNormal = normal,
+            .normal = normal,
+            .offset = surfaceOffset(glm::length(sphere.center) + sphere.radius)};
+}
+
 std::optional<ShapeHit> intersectQuad(const Ray& ray, const Quad& quad) {
     const glm::dvec3 n = glm::cross(quad.edge0, quad.edge1);
     const double t = glm::dot(n, quad.corner - ray.origin) / glm::dot(n, ray.direction);
@@ -55,34 +55,13 @@ std::optional<ShapeHit> intersectQuad(const Ray& ray, const Quad& quad) {
     return ShapeHit{.t = t, .u = u, .v = v};
 }
 
-std::optional<ShapeHit> intersectTriangle(const Ray& ray, const Triangle& triangle) {
-    // Turn the axes so that the ray runs along its largest component, then shear it onto that axis.
-    const glm::dvec3 magnitude = glm::abs(ray.direction);
-    const int kz =
-        magnitude.x > magnitude.y ? (magnitude.x > magnitude.z ? 0 : 2) : (magnitude.y > magnitude.z ? 1 : 2);
-    const int kx = (kz + 1) % 3;
-    const int ky = (kz + 2) % 3;
-    const double shearX = ray.direction[kx] / ray.direction[kz];
-    const double shearY = ray.direction[ky] / ray.direction[kz];
-    std::array<glm::dvec3, 3> p{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        const glm::dvec3 q = triangle.corners[i] - ray.origin;
-        p[i] = {q[kx] - shearX * q[kz], q[ky] - shearY * q[kz], q[kz] / ray.direction[kz]};
-    }
-    // Twice the signed areas that the ray spans with the edges. Neighbours compute exactly opposite values for their
-    // common edge, so none of them can lose a ray there; zero counts as inside.
-    const double a = p[2].x * p[1].y - p[2].y * p[1].x;
-    const double b = p[0].x * p[2].y - p[0].y * p[2].x;
-    const double c = p[1].x * p[0].y - p[1].y * p[0].x;
-    const double sum = a + b + c;
-    if ((std::min({a, b, c}) < 0 && std::max({a, b, c}) > 0) || sum == 0) {
-        return std::nullopt;
-    }
-    const double t = (a * p[0].z + b * p[1].z + c * p[2].z) / sum;
-    if (!inRange(t, ray)) {
-        return std::nullopt;
-    }
-    return ShapeHit{.t = t, .u = b / sum, .v = c / sum};
+SurfacePoint surfaceAt(const Quad& quad, const Ray& /*ray*/, const ShapeHit& hit) {
+    const glm::dvec3 normal = glm::normalize(glm::cross(quad.edge0, quad.edge1));
+    const double scale = glm::length(quad.corner) + glm::length(quad.edge0) + glm::length(quad.edge1);
+    return {.position = quad.corner + hit.u * quad.edge0 + hit.v * quad.edge1,
+            .geometricNormal = normal,
+            .normal = normal,
+            .offset = surfaceOffset(scale)};
 }
 
 } // namespace hyalite::reference

@@ -1,10 +1,11 @@
-// One ray against one shape, in double precision and without cancellation; and how far a ray that leaves a surface
-// must start from it.
+// One ray against one elementary shape, in double precision and without cancellation; and how far a ray that leaves a
+// surface must start from it.
 #pragma once
 
 #include "scene/scene.h"
 
 #include <array>
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
 #include <optional>
@@ -12,28 +13,36 @@
 namespace hyalite::reference {
 
 struct Ray {
-    glm::dvec3 origin;                                     // world [m], already moved off the surface it leaves
-    glm::dvec3 direction;                                  // unit
+    glm::dvec3 origin;                                     // [m], already moved off the surface it leaves
+    glm::dvec3 direction;                                  // unit in the world; of any length in an object's own space
     double tMax = std::numeric_limits<double>::infinity(); // the ray ends here [m]
 };
 
-struct Triangle {
-    std::array<glm::dvec3, 3> corners; // world [m]
-    std::array<glm::dvec3, 3> normals; // world, to be interpolated and normalised: shading normals of the corners
-    glm::dvec3 normal;                 // world, unit: the front, counter-clockwise in the mesh's own space
+// Where a ray meets a shape.
+struct ShapeHit {
+    double t = 0;           // [m], 0 < t <= tMax where not said otherwise
+    double u = 0;           // quad, disk: along the first edge or axis; triangle: weight of the second corner
+    double v = 0;           // quad, disk: along the second edge or axis; triangle: weight of the third corner
+    std::uint32_t part = 0; // which surface of the shape: mesh: the triangle, in the order of the file
 };
 
-// Where a ray meets a shape, with 0 < t <= tMax.
-struct ShapeHit {
-    double t = 0; // [m]
-    double u = 0; // quad: along edge0; triangle: weight of the second corner
-    double v = 0; // quad: along edge1; triangle: weight of the third corner
+// A point of a shape's surface; normals are on its front, whichever side the ray came from.
+struct SurfacePoint {
+    glm::dvec3 position;        // world [m]
+    glm::dvec3 geometricNormal; // unit
+    glm::dvec3 normal;          // unit, for shading
+    double offset = 0;          // distance [m] that a leaving ray starts from the surface
 };
+
+[[nodiscard]] inline bool inRange(double t, const Ray& ray) {
+    return t > 0 && t <= ray.tMax;
+}
 
 [[nodiscard]] std::optional<ShapeHit> intersectSphere(const Ray& ray, const Sphere& sphere); // nearest; [Haines19]
 [[nodiscard]] std::optional<ShapeHit> intersectQuad(const Ray& ray, const Quad& quad);
-// Watertight: a ray through an edge shared by two triangles hits at least one of them [Woop13].
-[[nodiscard]] std::optional<ShapeHit> intersectTriangle(const Ray& ray, const Triangle& triangle);
+
+[[nodiscard]] SurfacePoint surfaceAt(const Sphere& sphere, const Ray& ray, const ShapeHit& hit);
+[[nodiscard]] SurfacePoint surfaceAt(const Quad& quad, const Ray& ray, const ShapeHit& hit);
 
 // Distance [m] that a ray's origin is moved along the normal, away from the surface it leaves. `scale` [m] bounds the
 // sum of the lengths that the point was computed from (corner and edges, centre and radius), whose rounding errors add

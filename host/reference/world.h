@@ -1,23 +1,22 @@
-// The scene made ready for rays: triangles in world space, lights with their share of the power, one tree over
-// everything. Value type; the renderers only read it.
+// The scene made ready for rays: shapes with their transforms inverted, lights with their share of the power, one tree
+// over the objects and one over each mesh. Value type; the renderers only read it.
 #pragma once
 
 #include "reference/bvh.h"
 #include "reference/camera.h"
 #include "reference/geometry.h"
+#include "reference/instance.h"
 #include "reference/lights.h"
 #include "scene/scene.h"
 
 #include <cstdint>
 #include <optional>
+#include <variant>
 #include <vector>
 
 namespace hyalite::reference {
 
-struct Primitive {
-    std::uint32_t object = 0;
-    std::uint32_t triangle = 0; // of the object's mesh; 0 for other shapes
-};
+using Geometry = std::variant<Sphere, Quad, Instance>;
 
 struct World {
     CameraFrame camera;
@@ -25,10 +24,9 @@ struct World {
     double initialRadius = 0; // ppm: search radius of pass 0 [m]
     std::vector<Material> materials;
     std::vector<Object> objects;
-    std::vector<std::vector<Triangle>> triangles; // per object; empty where it is no mesh
+    std::vector<Geometry> geometry; // per object
     std::vector<Light> lights;
-    std::vector<Primitive> primitives;
-    Bvh bvh; // over the primitives
+    Bvh bvh; // over the objects
 };
 
 // Throws Error(BadInput) where the scene cannot be rendered.
@@ -37,8 +35,8 @@ struct World {
 struct Hit {
     double t = 0; // distance along the ray [m]
     std::uint32_t object = 0;
-    std::uint32_t primitive = 0; // triangle in the order of the mesh file; 0 for other shapes
-    double u = 0;                // quad: coordinates along its edges; triangle: weights of its second and third corner
+    std::uint32_t primitive = 0; // the shape's part: of a mesh the triangle, in the order of the file
+    double u = 0;                // see ShapeHit
     double v = 0;
 };
 

@@ -32,18 +32,26 @@ Scene randomScene(int triangles, int others) {
     return scene;
 }
 
-std::optional<Hit> askEveryPrimitive(const World& world, const Ray& ray) {
+std::optional<Hit> askEveryPrimitive(const Scene& scene, const Ray& ray) {
     std::optional<Hit> nearest;
-    for (const Primitive& primitive : world.primitives) {
-        const Shape& shape = world.objects[primitive.object].shape;
-        const auto* sphere = std::get_if<Sphere>(&shape);
-        const auto* quad = std::get_if<Quad>(&shape);
-        const auto hit = sphere != nullptr ? intersectSphere(ray, *sphere)
-                         : quad != nullptr
-                             ? intersectQuad(ray, *quad)
-                             : intersectTriangle(ray, world.triangles[primitive.object][primitive.triangle]);
+    const auto ask = [&](std::uint32_t object, std::uint32_t primitive, const std::optional<ShapeHit>& hit) {
         if (hit && (!nearest || hit->t < nearest->t)) {
-            nearest = Hit{hit->t, primitive.object, primitive.triangle, hit->u, hit->v};
+            nearest = Hit{.t = hit->t, .object = object, .primitive = primitive, .u = hit->u, .v = hit->v};
+        }
+    };
+    for (std::uint32_t object = 0; object < scene.objects.size(); ++object) {
+        const Shape& shape = scene.objects[object].shape;
+        if (const auto* sphere = std::get_if<Sphere>(&shape)) {
+            ask(object, 0, intersectSphere(ray, *sphere));
+        } else if (const auto* quad = std::get_if<Quad>(&shape)) {
+            ask(object, 0, intersectQuad(ray, *quad));
+        } else {
+            const Mesh& mesh = scene.meshes.at(std::get<MeshInstance>(shape).mesh);
+            for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+                const glm::uvec3& at = mesh.triangles[i];
+                const Triangle triangle{{mesh.positions[at.x], mesh.positions[at.y], mesh.positions[at.z]}};
+                ask(object, i, intersectTriangle(ray, triangle));
+            }
         }
     }
     return nearest;
@@ -52,7 +60,8 @@ std::optional<Hit> askEveryPrimitive(const World& world, const Ray& ray) {
 } // namespace
 
 TEST_CASE("the tree finds the same nearest hit as asking every triangle and object") {
-    const World world = prepareWorld(randomScene(3000, 60));
+    const Scene scene = randomScene(3000, 60);
+    const World world = prepareWorld(scene);
     Random random;
     int hits = 0;
     for (int i = 0; i < 3000; ++i) {
@@ -62,7 +71,7 @@ TEST_CASE("the tree finds the same nearest hit as asking every triangle and obje
             direction[i / 10 % 3] = i % 20 == 0 ? 1 : -1;
         }
         const Ray ray{.origin = random.inCube(12), .direction = direction};
-        const auto expected = askEveryPrimitive(world, ray);
+        const auto expected = askEveryPrimitive(scene, ray);
         const auto actual = traceClosest(world, ray);
         REQUIRE(actual.has_value() == expected.has_value());
         if (expected) {
@@ -79,13 +88,14 @@ TEST_CASE("the tree finds the same nearest hit as asking every triangle and obje
 }
 
 TEST_CASE("a shadow ray is blocked exactly where a hit lies between its ends") {
-    const World world = prepareWorld(randomScene(3000, 60));
+    const Scene scene = randomScene(3000, 60);
+    const World world = prepareWorld(scene);
     Random random;
     int blocked = 0;
     for (int i = 0; i < 3000; ++i) {
         const dvec3 from = random.inCube(11);
         const dvec3 to = random.inCube(11);
-        const auto hit = askEveryPrimitive(world, {.origin = from, .direction = (to - from) / glm::length(to - from)});
+        const auto hit = askEveryPrimitive(scene, {.origin = from, .direction = (to - from) / glm::length(to - from)});
         const bool free = !hit || hit->t > glm::length(to - from);
         blocked += free ? 0 : 1;
         CHECK(traceShadow(world, from, to) == free);

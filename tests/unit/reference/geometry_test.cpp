@@ -1,6 +1,7 @@
 // One ray against one shape: hits derived by hand, from inside and outside, grazing and far away.
 #include "reference/geometry.h"
 
+#include "reference/triangle.h"
 #include "unit/reference/support.h"
 
 using namespace hyalite;
@@ -10,7 +11,7 @@ using namespace hyalite::reference::test;
 namespace {
 
 Triangle makeTriangle(const dvec3& a, const dvec3& b, const dvec3& c) {
-    return {.corners = {a, b, c}, .normals = {}, .normal = glm::normalize(glm::cross(b - a, c - a))};
+    return {{a, b, c}};
 }
 
 } // namespace

@@ -118,8 +118,8 @@ TEST_CASE("a ray that leaves a surface does not hit it where it started, at any 
             const auto& quad = std::get<Quad>(scene.objects[0].shape);
             target = pointOnQuad({random.unit(), random.unit()}, quad);
         } else if (kind == 2) {
-            const auto& corners = world.triangles[0][0].corners;
-            target = (corners[0] + corners[1] + corners[2]) / 3.0;
+            const auto& corners = scene.meshes[0].positions;
+            target = place + size * dvec3(corners[0] + corners[1] + corners[2]) / 3.0;
         }
         const dvec3 way = random.direction();
         const Ray ray{.origin = target - way * size * random.between(1.5, 100), .direction = way};

@@ -1,0 +1,35 @@
+// Triangle meshes, and their instances: a mesh has one tree in its own space, and rays are brought there.
+#pragma once
+
+#include "reference/affine.h"
+#include "reference/bvh.h"
+#include "reference/geometry.h"
+#include "reference/triangle.h"
+#include "scene/scene.h"
+
+#include <memory>
+#include <optional>
+
+namespace hyalite::reference {
+
+struct MeshTree {
+    explicit MeshTree(const Mesh& source);
+
+    [[nodiscard]] Triangle triangle(std::size_t index) const;
+
+    Mesh mesh;
+    Bvh bvh; // over its triangles
+};
+
+struct Instance {
+    std::shared_ptr<const MeshTree> tree; // all instances of a mesh hold the same
+    Affine map;
+};
+
+// The nearest hit, of equally near ones that of the first triangle; or any, where that is all that is asked.
+enum class Wanted { Nearest, Any };
+[[nodiscard]] std::optional<ShapeHit> intersectInstance(const Ray& ray, const Instance& instance, Wanted wanted);
+
+[[nodiscard]] SurfacePoint surfaceAt(const Instance& instance, const Ray& ray, const ShapeHit& hit);
+
+} // namespace hyalite::reference
