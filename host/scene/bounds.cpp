@@ -8,22 +8,9 @@
 namespace hyalite {
 namespace {
 
-Bounds shapeBounds(const Scene& /*scene*/, const Sphere& sphere) {
-    return {sphere.center - sphere.radius, sphere.center + sphere.radius};
-}
-
-Bounds shapeBounds(const Scene& /*scene*/, const Quad& quad) {
-    Bounds box;
-    box.add(quad.corner);
-    box.add(quad.corner + quad.edge0);
-    box.add(quad.corner + quad.edge1);
-    box.add(quad.corner + quad.edge0 + quad.edge1);
-    return box;
-}
-
-Bounds shapeBounds(const Scene& /*scene*/, const Disk& disk) {
-    const glm::dvec3 reach = glm::sqrt(disk.axis0 * disk.axis0 + disk.axis1 * disk.axis1);
-    return {disk.center - reach, disk.center + reach};
+template <class OneShape>
+Bounds shapeBounds(const Scene& /*scene*/, const OneShape& shape) {
+    return worldBounds(shape);
 }
 
 Bounds shapeBounds(const Scene& /*scene*/, const Plane& plane) {
@@ -35,15 +22,6 @@ Bounds shapeBounds(const Scene& /*scene*/, const Plane& plane) {
         }
     }
     return box;
-}
-
-Bounds shapeBounds(const Scene& /*scene*/, const Quadric& quadric) {
-    return worldBounds(quadric);
-}
-
-Bounds shapeBounds(const Scene& /*scene*/, const Torus& torus) {
-    const double out = torus.major + torus.minor;
-    return transformed(Bounds{{-out, -torus.minor, -out}, {out, torus.minor, out}}, torus.objectToWorld);
 }
 
 Bounds shapeBounds(const Scene& scene, const MeshInstance& instance) {
@@ -93,6 +71,37 @@ Bounds meshBounds(const Mesh& mesh, const glm::dmat4& objectToWorld) {
     return box;
 }
 
+Bounds worldBounds(const Sphere& sphere) {
+    return {sphere.center - sphere.radius, sphere.center + sphere.radius};
+}
+
+Bounds worldBounds(const Quad& quad) {
+    Bounds box;
+    box.add(quad.corner);
+    box.add(quad.corner + quad.edge0);
+    box.add(quad.corner + quad.edge1);
+    box.add(quad.corner + quad.edge0 + quad.edge1);
+    return box;
+}
+
+Bounds worldBounds(const Disk& disk) {
+    const glm::dvec3 reach = glm::sqrt(disk.axis0 * disk.axis0 + disk.axis1 * disk.axis1);
+    return {disk.center - reach, disk.center + reach};
+}
+
+Bounds worldBounds(const Torus& torus) {
+    // A ball that runs along a circle: each reaches along a world axis as far as its own image does.
+    const glm::dmat3 rows = glm::transpose(glm::dmat3(torus.objectToWorld));
+    Bounds box{glm::dvec3(torus.objectToWorld[3]), glm::dvec3(torus.objectToWorld[3])};
+    for (int axis = 0; axis < 3; ++axis) {
+        const double reach =
+            torus.major * std::hypot(rows[axis].x, rows[axis].z) + torus.minor * glm::length(rows[axis]);
+        box.low[axis] -= reach;
+        box.high[axis] += reach;
+    }
+    return box;
+}
+
 Bounds worldBounds(const Scene& scene, const Object& object) {
     return std::visit([&](const auto& shape) { return shapeBounds(scene, shape); }, object.shape);
 }
@@ -101,7 +110,7 @@ Bounds sceneBounds(const Scene& scene) {
     Bounds box;
     for (const Object& object : scene.objects) {
         const Bounds one = worldBounds(scene, object);
-        if (isFinite(one)) {
+        if (isFinite(one) && !isEmpty(one)) {
             box.add(one.low);
             box.add(one.high);
         }

@@ -10,6 +10,12 @@ namespace hyalite {
 // Bounds of the mesh's triangles in world space.
 [[nodiscard]] Bounds meshBounds(const Mesh& mesh, const glm::dmat4& objectToWorld);
 
+// Bounds of a shape in world space that needs no scene to know them.
+[[nodiscard]] Bounds worldBounds(const Sphere& sphere);
+[[nodiscard]] Bounds worldBounds(const Quad& quad);
+[[nodiscard]] Bounds worldBounds(const Disk& disk);
+[[nodiscard]] Bounds worldBounds(const Torus& torus);
+
 // Bounds of an object in world space; a box with an infinite side holds a shape without end.
 [[nodiscard]] Bounds worldBounds(const Scene& scene, const Object& object);
 

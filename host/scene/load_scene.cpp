@@ -6,10 +6,10 @@
 #include "scene/read_lights.h"
 #include "scene/read_materials.h"
 #include "scene/read_shapes.h"
+#include "scene/read_transform.h"
 #include "scene/reader.h"
 #include "scene/scene_limits.h"
 #include "scene/settings.h"
-#include "scene/spelling.h"
 #include "scene/yaml_tree.h"
 
 #include <algorithm>
@@ -33,38 +33,31 @@ void readMaterials(const Value& value, Scene& scene) {
     }
 }
 
-std::size_t findMaterial(const Value& name, const Scene& scene) {
-    const std::string wanted = name.text();
-    std::vector<std::string> known;
-    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-        if (scene.materials[i].name == wanted) {
-            return i;
-        }
-        known.push_back(scene.materials[i].name);
-    }
-    failUnknownWord(name, "material", known);
-}
-
 Object readObject(const Value& value, Scene& scene, MeshLibrary& meshes) {
     Reader reader(value);
-    Object object;
-    object.where = reader.where();
     const Value shape = reader.require("shape");
-    const auto transform = reader.find("transform");
-    if (const auto name = reader.find("material")) {
-        object.material = findMaterial(*name, scene);
+    Surroundings around{.scene = scene, .meshes = meshes};
+    if (const auto transform = reader.find("transform")) {
+        around.placement = {readTransform(*transform), transform};
     }
+    if (const auto name = reader.find("material")) {
+        around.material = findMaterial(*name, scene);
+    }
+    glm::dvec3 radiance(0);
     const auto emission = reader.find("emission");
     if (emission) {
-        emission->readColor(object.emission, kRadiance);
+        emission->readColor(radiance, kRadiance);
     }
     reader.finish();
-    object.shape = readShape(shape, transform, meshes);
+    Object object = readShape(shape, around);
+    object.where = reader.where();
+    object.emission = radiance;
 
     if (emission && !std::holds_alternative<Quad>(object.shape)) {
         emission->fail("only quads can emit light", "use a quad or a point light");
     }
-    if (!object.material && !emission) {
+    // The shapes within a csg have answered for themselves
+    if (!object.material && !emission && !std::holds_alternative<Csg>(object.shape)) {
         value.fail("this object has neither a material nor an emission",
                    "for a black object use a diffuse material of albedo 0");
     }

@@ -22,12 +22,58 @@ dvec3 linearPart(const QuadricForm& q) {
     return {q.d, q.g, q.i};
 }
 
-// Eigenvectors (columns) and eigenvalues of a symmetric matrix by Jacobi's rotations [Golub13, 8.5].
-struct Eigensystem {
-    dmat3 vectors{1.0};
-    dvec3 values{0};
-};
+// A box around the part of {q <= 0} between two ends of an axis; everything where q has no ellipses across it.
+Bounds sectionBounds(const QuadricForm& form, int axis, double low, double high) {
+    if (!(low <= high) || !std::isfinite(high - low)) {
+        return Bounds::everything();
+    }
+    // At s along the axis the section is (p - c)^T B (p - c) <= k with c linear in s and k quadratic. A box around the
+    // centres, grown by what the largest k reaches, holds them all.
+    const int u = (axis + 1) % 3;
+    const int v = (axis + 2) % 3;
+    const dmat3 A = quadraticPart(form);
+    const dvec3 b = linearPart(form);
+    const glm::dmat2 B{A[u][u], A[u][v], A[v][u], A[v][v]};
+    if (!(B[0][0] > 0 && glm::determinant(B) > 0)) {
+        return Bounds::everything();
+    }
+    const glm::dmat2 inverse = glm::inverse(B);
+    const glm::dvec2 b0{b[u], b[v]};
+    const glm::dvec2 b1{A[axis][u], A[axis][v]};
+    // k = k0 + 2 k1 s + k2 s^2 is largest at an end or, where it is concave, at its vertex.
+    const double k0 = glm::dot(b0, inverse * b0) - form.j;
+    const double k1 = glm::dot(b0, inverse * b1) - b[axis];
+    const double k2 = glm::dot(b1, inverse * b1) - A[axis][axis];
+    const auto k = [&](double s) { return k0 + s * (2 * k1 + s * k2); };
+    double largest = std::max(k(low), k(high));
+    if (k2 < 0) {
+        largest = std::max(largest, k(std::clamp(-k1 / k2, low, high)));
+    }
+    if (largest < 0) {
+        return {}; // nothing lies between the ends
+    }
+    const glm::dvec2 atLow = -(inverse * (b0 + low * b1));
+    const glm::dvec2 atHigh = -(inverse * (b0 + high * b1));
+    const glm::dvec2 reach = glm::sqrt(largest * glm::dvec2(inverse[0][0], inverse[1][1]));
+    Bounds box = Bounds::everything();
+    box.low[u] = std::min(atLow.x, atHigh.x) - reach.x;
+    box.high[u] = std::max(atLow.x, atHigh.x) + reach.x;
+    box.low[v] = std::min(atLow.y, atHigh.y) - reach.y;
+    box.high[v] = std::max(atLow.y, atHigh.y) + reach.y;
+    return box;
+}
 
+} // namespace
+
+dmat4 quadricMatrix(const QuadricForm& q) {
+    return {q.a, q.b, q.c, q.d, q.b, q.e, q.f, q.g, q.c, q.f, q.h, q.i, q.d, q.g, q.i, q.j};
+}
+
+QuadricForm quadricForm(const dmat4& m) {
+    return {m[0][0], m[1][0], m[2][0], m[3][0], m[1][1], m[2][1], m[3][1], m[2][2], m[3][2], m[3][3]};
+}
+
+// By Jacobi's rotations [Golub13, 8.5].
 Eigensystem eigensystem(dmat3 m) {
     Eigensystem result;
     constexpr int kSweeps = 32; // a handful suffice: convergence is quadratic
@@ -56,19 +102,15 @@ Eigensystem eigensystem(dmat3 m) {
     return result;
 }
 
-} // namespace
-
-dmat4 quadricMatrix(const QuadricForm& q) {
-    return {q.a, q.b, q.c, q.d, q.b, q.e, q.f, q.g, q.c, q.f, q.h, q.i, q.d, q.g, q.i, q.j};
-}
-
-QuadricForm quadricForm(const dmat4& m) {
-    return {m[0][0], m[1][0], m[2][0], m[3][0], m[1][1], m[2][1], m[3][1], m[2][2], m[3][2], m[3][3]};
-}
-
 QuadricForm transformed(const QuadricForm& form, const dmat4& map) {
     const dmat4 inverse = glm::inverse(map);
     return quadricForm(glm::transpose(inverse) * quadricMatrix(form) * inverse);
+}
+
+QuadricForm normalised(const QuadricForm& q) {
+    const double largest = std::max({std::abs(q.a), std::abs(q.b), std::abs(q.c), std::abs(q.d), std::abs(q.e),
+                                     std::abs(q.f), std::abs(q.g), std::abs(q.h), std::abs(q.i), std::abs(q.j)});
+    return quadricForm(quadricMatrix(q) / largest);
 }
 
 double evaluate(const QuadricForm& form, const dvec3& point) {
@@ -126,8 +168,32 @@ Bounds transformed(const Bounds& box, const dmat4& map) {
     return image;
 }
 
+bool isEmpty(const Bounds& box) {
+    return !(box.low.x <= box.high.x && box.low.y <= box.high.y && box.low.z <= box.high.z);
+}
+
 Bounds objectBounds(const Quadric& quadric) {
-    return intersection(quadric.clip, formBounds(quadric.form));
+    Bounds box = intersection(quadric.clip, formBounds(quadric.form));
+    for (int axis = 0; axis < 3; ++axis) {
+        box = intersection(box, sectionBounds(quadric.form, axis, box.low[axis], box.high[axis]));
+    }
+    return box;
+}
+
+Quadric withFiniteClip(Quadric quadric) {
+    if (quadric.clip.low == Bounds::everything().low && quadric.clip.high == Bounds::everything().high) {
+        return quadric;
+    }
+    const Bounds box = objectBounds(quadric);
+    constexpr double kPadding = 1.0 / 256; // of the extent: far above what rounding can do
+    const dvec3 padding = kPadding * (box.high - box.low);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::isfinite(padding[axis])) {
+            quadric.clip.low[axis] = std::max(quadric.clip.low[axis], box.low[axis] - padding[axis]);
+            quadric.clip.high[axis] = std::min(quadric.clip.high[axis], box.high[axis] + padding[axis]);
+        }
+    }
+    return quadric;
 }
 
 Bounds worldBounds(const Quadric& quadric) {

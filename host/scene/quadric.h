@@ -19,23 +19,40 @@ namespace hyalite {
 // Half the gradient of q.
 [[nodiscard]] glm::dvec3 halfGradient(const QuadricForm& form, const glm::dvec3& point);
 
+// The same set and surface: divided by the largest coefficient's magnitude. Some coefficient must not be 0.
+[[nodiscard]] QuadricForm normalised(const QuadricForm& form);
+
 // A box around {q <= 0} alone: exact where that is an ellipsoid, with infinite sides along the axes in which an
 // elliptic cylinder along an axis has no end, and everything otherwise.
 [[nodiscard]] Bounds formBounds(const QuadricForm& form);
 
-// A box around the shape, in object space and in world space.
+// A box around the shape, in object space and in world space: finite too where the clip box ends the shape along one
+// axis and q, across it, is an ellipse.
 [[nodiscard]] Bounds objectBounds(const Quadric& quadric);
 [[nodiscard]] Bounds worldBounds(const Quadric& quadric);
 
 // The smallest box around the image of a box.
 [[nodiscard]] Bounds transformed(const Bounds& box, const glm::dmat4& map);
 
+// The shape with a clip box that is finite wherever the shape itself ends. Where it had no side and the shape needs
+// none, the new one lies a little outside and touches nothing. A clip box without sides stays: it leaves the surface
+// closed.
+[[nodiscard]] Quadric withFiniteClip(Quadric quadric);
+
 // Points that lie in both boxes; empty (low > high along some axis) where there are none.
 [[nodiscard]] Bounds intersection(const Bounds& a, const Bounds& b);
+[[nodiscard]] bool isEmpty(const Bounds& box);
 
 // The point that q is best written about: where its gradient vanishes, or nearly does (the least squares solution of
 // smallest norm, for forms without such a point).
 [[nodiscard]] glm::dvec3 formCenter(const QuadricForm& form);
+
+// Eigenvectors (columns, orthonormal) and eigenvalues of a symmetric matrix.
+struct Eigensystem {
+    glm::dmat3 vectors{1.0};
+    glm::dvec3 values{0};
+};
+[[nodiscard]] Eigensystem eigensystem(glm::dmat3 symmetric);
 
 // The half-space behind a plane.
 [[nodiscard]] Quadric halfSpace(const Plane& plane);

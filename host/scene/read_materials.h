@@ -9,4 +9,7 @@ namespace hyalite {
 // One entry of `materials:`. Throws Error(BadInput).
 [[nodiscard]] Material readMaterial(const Value& value);
 
+// Index in Scene::materials of the material that `name` names. Throws Error(BadInput) where there is none.
+[[nodiscard]] std::size_t findMaterial(const Value& name, const Scene& scene);
+
 } // namespace hyalite

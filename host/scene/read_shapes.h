@@ -1,7 +1,8 @@
-// The scene file's shapes. Spheres and quads come back in world space; meshes keep their transform.
+// The scene file's shapes. Spheres, quads, disks and planes come back in world space; the others keep their transform.
 #pragma once
 
 #include "scene/mesh_library.h"
+#include "scene/read_placement.h"
 #include "scene/reader.h"
 #include "scene/scene.h"
 
@@ -9,7 +10,16 @@
 
 namespace hyalite {
 
-// The value of an object's `shape`, placed by its `transform` if it has one. Throws Error(BadInput).
-[[nodiscard]] Shape readShape(const Value& value, const std::optional<Value>& transform, MeshLibrary& meshes);
+// What a shape is told by what stands around it in the file, and where it puts what it has besides itself.
+struct Surroundings {
+    Placement placement = {};
+    std::optional<std::size_t> material = {};    // of the nearest object or csg that names one
+    std::optional<std::size_t> cutMaterial = {}; // set where the shape only cuts: goes before its own material
+    Scene& scene;                                // for the leaves of a csg
+    MeshLibrary& meshes;
+};
+
+// A shape with its own `transform` and `material` applied; not the object's emission. Throws Error(BadInput).
+[[nodiscard]] Object readShape(const Value& value, const Surroundings& around);
 
 } // namespace hyalite

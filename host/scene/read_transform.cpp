@@ -95,13 +95,17 @@ glm::dmat4 readStep(const Value& item) {
 
 } // namespace
 
-glm::dmat4 readTransform(const Value& value) {
+glm::dmat4 readTransform(const Value& value, const glm::dmat4& around) {
     glm::dmat4 matrix(1);
     for (const Value& item : value.list()) {
         matrix = readStep(item) * matrix;
     }
     if (!isInvertible(matrix)) {
         value.fail("the transforms together are singular: they have no inverse");
+    }
+    matrix = around * matrix;
+    if (!isInvertible(matrix)) {
+        value.fail("with the transforms around it this one is singular: they have no inverse");
     }
     const glm::dvec3 offset(matrix[3]);
     if (!(glm::length(offset) <= kLargestLength)) {

@@ -106,6 +106,14 @@ void Value::read(std::uint32_t& out, const Range& range) const {
     out = static_cast<std::uint32_t>(*number);
 }
 
+void Value::read(bool& out) const {
+    const bool isTrue = node_->kind == YamlNode::Kind::Scalar && node_->text == "true";
+    if (node_->isQuoted || (!isTrue && node_->text != "false")) {
+        expected("true or false");
+    }
+    out = isTrue;
+}
+
 void Value::read(glm::dvec3& out, const Range& each) const {
     const auto xyz = numbers(3, each);
     out = {xyz[0], xyz[1], xyz[2]};

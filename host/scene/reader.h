@@ -49,6 +49,7 @@ public:
 
     void read(double& out, const Range& range) const;
     void read(std::uint32_t& out, const Range& range) const;
+    void read(bool& out) const;
     void read(glm::dvec3& out, const Range& each) const;
     void read(glm::uvec2& out, const Range& each) const;
     void readColor(glm::dvec3& out, const Range& each) const; // one number stands for three equal ones
@@ -78,6 +79,11 @@ public:
     void optional(std::string_view key, T& out, const Range& range) {
         if (const auto value = find(key)) {
             value->read(out, range);
+        }
+    }
+    void optional(std::string_view key, bool& out) {
+        if (const auto value = find(key)) {
+            value->read(out);
         }
     }
     void optionalColor(std::string_view key, glm::dvec3& out, const Range& each) {
