@@ -20,8 +20,10 @@ struct DeviceScene {
     gpu::Array<glm::vec4> triangles;
     std::uint32_t rootNode = 0;
     std::uint32_t lightCount = 0;
-    std::vector<std::uint32_t> objectOrder; // scene object of each device object
-    gpu::Specialization specialization;     // what the scene does not have, kernels leave out
+    std::vector<std::uint32_t> objectOf;   // see ObjectTable
+    std::vector<std::uint32_t> leafOf;     // see ObjectTable
+    std::vector<std::uint32_t> triangleOf; // see MeshTables::fileOrder
+    gpu::Specialization specialization;    // what the scene does not have, kernels leave out
 };
 
 [[nodiscard]] shared::CameraRecord cameraRecord(const Camera& camera);

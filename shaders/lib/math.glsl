@@ -7,6 +7,7 @@
 const float kPi = 3.14159265358979;
 const float kInvPi = 0.318309886183791;
 const float kInfinity = 3.0e38; // longer than any ray; finite, so that products with zero stay zero
+const float kEndless = 1.0e28;  // what is farther away than this is the far end of a shape that has none
 
 // (sin x, cos x) for |x| <= pi/4: Taylor series, error below 1 ulp of 1.
 vec2 sinCosSmall(float x) {
@@ -28,6 +29,11 @@ vec2 sinCosTurns(float turns) {
 
 float maxComponent(vec3 v) {
     return max(v.x, max(v.y, v.z));
+}
+
+// A component below 1e-18 is as good as zero; kept away from it, its inverse times anything is finite.
+vec3 awayFromZero(vec3 v) {
+    return mix(v, vec3(1.0e-18), lessThan(abs(v), vec3(1.0e-18)));
 }
 
 // A vector given in the orthonormal basis whose third axis is the unit vector n [Duff17].

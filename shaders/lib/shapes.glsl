@@ -1,11 +1,12 @@
-// Ray against one shape: the nearest t in (0, tMax), or none. Each returns true and lowers tMax where it hits.
+// Ray against a sphere or a flat shape. `d` is unit.
 #ifndef HYALITE_SHAPES_GLSL
 #define HYALITE_SHAPES_GLSL
+#include "lib/specialization.glsl"
 #include "lib/tables.glsl"
 
-// `d` is unit. The discriminant is taken from the distance of centre and line, and the nearer root from the product
-// of both, so neither loses digits far away or on the surface [Haines19].
-bool intersectSphere(vec3 o, vec3 d, vec4 sphere, inout float tMax) {
+// Both roots, in order. The discriminant is taken from the distance of centre and line, and the nearer root from the
+// product of both, so neither loses digits far away or on the surface [Haines19].
+bool sphereRoots(vec3 o, vec3 d, vec4 sphere, out vec2 t) {
     vec3 fromCenter = o - sphere.xyz;
     float radius = sphere.w;
     float b = dot(fromCenter, d);
@@ -19,9 +20,17 @@ bool intersectSphere(vec3 o, vec3 d, vec4 sphere, inout float tMax) {
     float root = sqrt(discriminant);
     float q = b > 0.0 ? -b - root : root - b;
     float t0 = q == 0.0 ? 0.0 : c / q;
-    float tNear = min(t0, q);
-    float tFar = max(t0, q);
-    float t = tNear > 0.0 ? tNear : tFar;
+    t = vec2(min(t0, q), max(t0, q));
+    return true;
+}
+
+// The nearest t in (0, tMax); lowers tMax to it.
+bool intersectSphere(vec3 o, vec3 d, vec4 sphere, inout float tMax) {
+    vec2 roots;
+    if (!sphereRoots(o, d, sphere, roots)) {
+        return false;
+    }
+    float t = roots.x > 0.0 ? roots.x : roots.y;
     if (!(t > 0.0 && t < tMax)) {
         return false;
     }
@@ -29,37 +38,20 @@ bool intersectSphere(vec3 o, vec3 d, vec4 sphere, inout float tMax) {
     return true;
 }
 
-// The texels of a quad are its plane and two affine coordinates; see scene_records.h.
-bool intersectQuad(vec3 o, vec3 d, vec4 plane, vec4 uRow, vec4 vRow, inout float tMax, out vec2 uv) {
+// Flat shapes are a plane and two affine coordinates in it; see scene_records.h.
+bool intersectFlat(uint type, vec3 o, vec3 d, vec4 plane, vec4 uRow, vec4 vRow, inout float tMax, out vec2 uv) {
     float t = (plane.w - dot(plane.xyz, o)) / dot(plane.xyz, d);
     vec3 p = o + t * d;
     uv = vec2(dot(uRow.xyz, p) + uRow.w, dot(vRow.xyz, p) + vRow.w);
-    if (!(t > 0.0 && t < tMax) || any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0)))) {
+    if (!(t > 0.0 && t < tMax)) {
+        return false;
+    }
+    bool beside = isShape(type, kShapeQuad) && (any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0))));
+    beside = beside || (isShape(type, kShapeDisk) && dot(uv, uv) > 1.0);
+    if (beside) {
         return false;
     }
     tMax = t;
-    return true;
-}
-
-// Edge functions from corners relative to the ray: a shared edge gives the same value with opposite sign to both its
-// triangles, so no ray slips between them [Davidovic12]. `d` need not be unit.
-bool intersectTriangle(vec3 o, vec3 d, uint triangle, inout float tMax, inout vec2 uv) {
-    vec3 a = triangleCorner(triangle, 0u) - o;
-    vec3 b = triangleCorner(triangle, 1u) - o;
-    vec3 c = triangleCorner(triangle, 2u) - o;
-    vec3 ca = a - c, ab = b - a, bc = c - b;
-    float wb = dot(cross(ca, a + c), d); // weights of the corners opposite the edges
-    float wc = dot(cross(ab, b + a), d);
-    float wa = dot(cross(bc, c + b), d);
-    bool inside = min(wa, min(wb, wc)) >= 0.0 || max(wa, max(wb, wc)) <= 0.0;
-    vec3 normal = cross(ab, bc);
-    float cosine = dot(normal, d);
-    float t = dot(normal, a) / cosine;
-    if (!inside || cosine == 0.0 || !(t > 0.0 && t < tMax)) {
-        return false;
-    }
-    tMax = t;
-    uv = vec2(wb, wc) / (wa + wb + wc);
     return true;
 }
 #endif

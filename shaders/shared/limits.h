@@ -13,6 +13,9 @@ SHARED_CONSTANT kGroupsPerRow = 32768u;
 // Entries of a ray's traversal stack. The BVH builder computes what a tree needs and refuses one that needs more.
 SHARED_CONSTANT kTraversalStack = 64u;
 
+// Leaves of one CSG tree: their inside bits are one word, and a program for so many fills one texel.
+SHARED_CONSTANT kMaxCsgLeaves = 32u;
+
 // Longest path, in segments; a photon stores its length in 8 bits.
 SHARED_CONSTANT kMaxDepth = 255u;
 

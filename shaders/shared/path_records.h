@@ -13,9 +13,9 @@ DEVICE_ARRAY(Ray, RayArray);
 
 struct Hit {
     float t;        // distance along the ray [m]
-    uint object;    // kNone: nothing was hit
-    uint primitive; // triangle of the triangle table; 0 for other shapes
-    vec2 uv;        // quad: coordinates along its edges; triangle: barycentric of its second and third corner
+    uint object;    // kNone: nothing was hit; of a CSG object, the leaf whose surface it is
+    uint primitive; // mesh: triangle of the triangle table; quadric: part, see kPartForm; 0 for other shapes
+    vec2 uv;        // flat shapes: coordinates in the plane; triangle: barycentric of its second and third corner
 };
 DEVICE_ARRAY(Hit, HitArray);
 

@@ -43,14 +43,41 @@ struct LightRecord {
 };
 DEVICE_ARRAY(LightRecord, LightArray);
 
-// An object is four texels of the object table. The fourth is (type, material, light, mesh root node) as bits.
-//   sphere: (center, radius)
-//   quad:   (unit normal n, n.corner) (U, u0) (V, v0): a point p of the plane has coordinates u = U.p + u0, v = V.p +
-//   v0 mesh:   rows of the 3x4 matrix from world to object space
-SHARED_CONSTANT kTexelsPerObject = 4u;
+// An object is eight texels of the object table; the fourth is (type and flags, material, light, root) as bits, and the
+// others hold what the shape needs:
+//   sphere:      0 (center, radius)
+//   flat shapes: 0 (unit normal n, n.corner)  1 (U, u0)  2 (V, v0): a point p of the plane has the coordinates
+//                u = U.p + u0, v = V.p + v0; a quad is [0, 1]^2, a disk the unit circle, a plane has no rim
+//   mesh:        0 1 2 rows of the 3x4 matrix from world to object space; root: node of its hierarchy
+//   quadric:     0 1 2 rows (L, c) of the map from world to the space of the form, p -> L (p - c); with the form
+//                a x^2 + 2b xy + 2c xz + 2d x + e y^2 + 2f yz + 2g y + h z^2 + 2i z + j and the box lo, hi in that space:
+//                4 (a, e, h, j)  5 (b, c, f, lo.x)  6 (d, g, i, hi.x)  7 (lo.y, hi.y, lo.z, hi.z)
+//   torus:       0 1 2 likewise  4 (major, minor, -, -)
+//   csg:         0 (first leaf, leaf count, -, -) as bits; root: texel of the node table that holds its program
+// Leaves of CSG are objects of their own, behind those that rays look for.
+SHARED_CONSTANT kTexelsPerObject = 8u;
 SHARED_CONSTANT kShapeSphere = 0u;
 SHARED_CONSTANT kShapeQuad = 1u;
-SHARED_CONSTANT kShapeMesh = 2u;
+SHARED_CONSTANT kShapeDisk = 2u;
+SHARED_CONSTANT kShapePlane = 3u;
+SHARED_CONSTANT kShapeQuadric = 4u;
+SHARED_CONSTANT kShapeTorus = 5u;
+SHARED_CONSTANT kShapeMesh = 6u;
+SHARED_CONSTANT kShapeCsg = 7u;
+SHARED_CONSTANT kShapeTypeMask = 0xffu;
+SHARED_CONSTANT kShapeOpen = 0x100u;     // quadric: its box cuts the surface and does not close it
+SHARED_CONSTANT kShapeReversed = 0x200u; // leaf of CSG: what is inside it is outside the solid
+
+// What a quadric's Hit.primitive says: the form's own surface, or 1 + 2 * axis + (1 on the high side) for a face of its
+// box.
+SHARED_CONSTANT kPartForm = 0u;
+
+// A CSG program is one texel of the node table: steps of two bits each, the first in the lowest, postfix, on a stack of
+// truth values. 32 leaves take 63 steps.
+SHARED_CONSTANT kCsgLeaf = 0u; // pushes whether the point is inside the next leaf
+SHARED_CONSTANT kCsgUnion = 1u;
+SHARED_CONSTANT kCsgIntersection = 2u;
+SHARED_CONSTANT kCsgDifference = 3u; // the lower of the two without the upper
 
 // A triangle is three texels of the triangle table: its corners, object space [m]; w of the first is unused,
 // and smooth normals, where a mesh has them, stand in the array below, three per triangle.

@@ -44,7 +44,7 @@ struct BothSides {
         return {device.context, count, "test output"};
     }
     [[nodiscard]] std::uint32_t sceneObject(std::uint32_t deviceObject) const {
-        return deviceObject == shared::kNone ? shared::kNone : deviceScene.objectOrder[deviceObject];
+        return deviceObject == shared::kNone ? shared::kNone : deviceScene.objectOf[deviceObject];
     }
 };
 

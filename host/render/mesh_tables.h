@@ -1,0 +1,24 @@
+// The scene's meshes as the kernels read them: triangles in the order of their hierarchies' leaves.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace hyalite::render {
+
+// All meshes, one behind the other; see shaders/shared/scene_records.h for the layouts.
+struct MeshTables {
+    std::vector<glm::uvec4> nodes;
+    std::vector<glm::vec4> triangles;
+    std::vector<glm::vec3> normals;
+    std::vector<std::uint32_t> roots;     // by mesh: node
+    std::vector<std::uint32_t> fileOrder; // by triangle of the table: its number in the mesh file
+};
+
+// Throws Error(BadInput) where the meshes together have more triangles than a leaf can name.
+[[nodiscard]] MeshTables buildMeshTables(const std::vector<Mesh>& meshes);
+
+} // namespace hyalite::render

@@ -1,0 +1,80 @@
+// Rays through the whole scene: shapes without end, the hierarchy over the objects, and what each object is.
+#ifndef HYALITE_SCENE_GLSL
+#define HYALITE_SCENE_GLSL
+#include "lib/csg.glsl"
+
+void traceObject(uint object, Ray ray, bool any, inout Hit hit) {
+    ObjectHeader header = objectHeader(object);
+    if (isShape(header.type, kShapeSphere)) {
+        if (intersectSphere(ray.origin, ray.direction, objectTexel(object, 0u), hit.t)) {
+            hit = Hit(hit.t, object, 0u, vec2(0.0));
+        }
+    } else if (isShape(header.type, kShapeQuad) || isShape(header.type, kShapeDisk) ||
+               isShape(header.type, kShapePlane)) {
+        vec2 uv;
+        if (intersectFlat(header.type, ray.origin, ray.direction, objectTexel(object, 0u), objectTexel(object, 1u),
+                          objectTexel(object, 2u), hit.t, uv)) {
+            hit = Hit(hit.t, object, 0u, uv);
+        }
+    } else if (isShape(header.type, kShapeMesh)) {
+        vec3 o, d;
+        toMeshSpace(object, ray, o, d);
+        traceMesh(header.root, object, o, d, any, hit);
+    } else if (isShape(header.type, kShapeCsg)) {
+        traceCsg(object, header, ray, hit);
+    } else if (sceneHas(kShapeQuadric) || sceneHas(kShapeTorus)) {
+        Crossings crossings = solidCrossings(object, header.type, ray);
+        for (int i = 3; i >= 0; --i) {
+            if (crossings.t[i] > 0.0 && crossings.t[i] < hit.t) {
+                hit = Hit(crossings.t[i], object, crossings.part[i], vec2(0.0));
+            }
+        }
+    }
+}
+
+void traceRange(uint first, uint end, Ray ray, bool any, inout Hit hit) {
+    for (uint object = first; object < end && !(any && hit.object != kNone); ++object) {
+        traceObject(object, ray, any, hit);
+    }
+}
+
+// Descends the hierarchy over the objects. Those without end stand at its root's place: the first leaf on the stack.
+void traceObjects(uint root, Ray ray, bool any, inout Hit hit) {
+    BoxRay box = boxRay(ray.origin, ray.direction);
+    uint stack[kTraversalStack];
+    uint top = 0u;
+    stack[top++] = root;
+    bool endless = kEndlessObjects > 0u;
+    while (top > 0u || endless) {
+        uint first = 0u;
+        uint end = kEndlessObjects;
+        if (!endless) {
+            uint word = stack[--top];
+            if ((word & kLeafBit) == 0u) {
+                uvec4 children;
+                vec4 key = enterChildren(word, box, hit.t, children);
+                pushChildren(key, children, stack, top);
+                continue;
+            }
+            first = word & kLeafFirstMask;
+            end = first + ((word & ~kLeafBit) >> kLeafCountShift);
+        }
+        endless = false;
+        traceRange(first, end, ray, any, hit);
+        if (any && hit.object != kNone) {
+            return;
+        }
+    }
+}
+
+// The closest hit along the ray, or with `any` some hit.
+Hit traceScene(uint root, Ray ray, bool any) {
+    Hit hit = Hit(ray.tMax, kNone, 0u, vec2(0.0));
+    if (kFewObjects > 0u) {
+        traceRange(0u, kFewObjects, ray, any, hit);
+    } else {
+        traceObjects(root, ray, any, hit);
+    }
+    return hit;
+}
+#endif

@@ -1,0 +1,20 @@
+// What the scene holds, known when a kernel is compiled for it: what it does not hold costs nothing.
+#ifndef HYALITE_SPECIALIZATION_GLSL
+#define HYALITE_SPECIALIZATION_GLSL
+#include "shared/scene_records.h"
+
+// Bit kShape… is set for every type of shape in the scene, leaves of CSG included.
+layout(constant_id = 0) const uint kShapeTypes = 0xffffffffu;
+// A scene of so few objects that trying each is faster than a hierarchy over them; 0: it has more.
+layout(constant_id = 1) const uint kFewObjects = 0u;
+// The first objects of the table that have no end and stand outside the hierarchy.
+layout(constant_id = 2) const uint kEndlessObjects = 0u;
+
+bool sceneHas(uint shape) {
+    return ((kShapeTypes >> shape) & 1u) != 0u;
+}
+
+bool isShape(uint type, uint shape) {
+    return sceneHas(shape) && (type & kShapeTypeMask) == shape;
+}
+#endif
