@@ -2,6 +2,7 @@
 #include "scene/mesh_library.h"
 
 #include "scene/mesh_import.h"
+#include "scene/teapot.h"
 
 #include <system_error>
 
@@ -20,6 +21,14 @@ std::size_t MeshLibrary::load(const Value& file) {
     meshes_->push_back(importMesh(path, file.where()));
     loaded_.emplace(std::move(key), meshes_->size() - 1);
     return meshes_->size() - 1;
+}
+
+std::size_t MeshLibrary::loadTeapot(std::uint32_t level) {
+    const auto [known, isNew] = teapots_.try_emplace(level, meshes_->size());
+    if (isNew) {
+        meshes_->push_back(makeTeapot(level));
+    }
+    return known->second;
 }
 
 } // namespace hyalite

@@ -1,9 +1,10 @@
-// The meshes that a scene names: each file is read once, however many objects show it.
+// The meshes that a scene names: each is read or made once, however many objects show it.
 #pragma once
 
 #include "scene/reader.h"
 #include "scene/scene.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 
@@ -19,12 +20,16 @@ public:
     // place, a mistake in it at its place in the mesh file.
     [[nodiscard]] std::size_t load(const Value& file);
 
+    // Index of the teapot of this level (see makeTeapot).
+    [[nodiscard]] std::size_t loadTeapot(std::uint32_t level);
+
     [[nodiscard]] const Mesh& at(std::size_t index) const { return (*meshes_)[index]; }
 
 private:
     std::filesystem::path folder_;
     std::vector<Mesh>* meshes_;
     std::map<std::filesystem::path, std::size_t> loaded_;
+    std::map<std::uint32_t, std::size_t> teapots_; // by level
 };
 
 } // namespace hyalite

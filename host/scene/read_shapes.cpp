@@ -1,10 +1,10 @@
 // See read_shapes.h. A new shape is a reader in a file of its kind and a row of kShapes.
 #include "scene/read_shapes.h"
 
-#include "scene/bounds.h"
 #include "scene/read_csg.h"
 #include "scene/read_flat_shapes.h"
 #include "scene/read_materials.h"
+#include "scene/read_meshes.h"
 #include "scene/read_solids.h"
 #include "scene/read_transform.h"
 
@@ -13,18 +13,6 @@
 namespace hyalite {
 namespace {
 
-Shape readMesh(Reader& reader, const Surroundings& around) {
-    const Value file = reader.require("file");
-    reader.finish(); // before a large file is read for nothing
-    const MeshInstance instance{around.meshes.load(file), around.placement.objectToWorld};
-    const Bounds box = meshBounds(around.meshes.at(instance.mesh), instance.objectToWorld);
-    checkReach(reader, box);
-    if (!(glm::length(box.high - box.low) >= kSmallestLength)) {
-        file.fail("with its transform this mesh is a single point");
-    }
-    return instance;
-}
-
 // Shapes that need to know no more than where they stand.
 template <Shape (*read)(Reader&, const Placement&)>
 Shape readPlaced(Reader& reader, const Surroundings& around) {
@@ -32,7 +20,7 @@ Shape readPlaced(Reader& reader, const Surroundings& around) {
 }
 
 using ReadShape = Shape (*)(Reader&, const Surroundings&);
-constexpr std::array<Choice<ReadShape>, 11> kShapes{{
+constexpr std::array<Choice<ReadShape>, 12> kShapes{{
     {"sphere", readPlaced<readSphere>},
     {"ellipsoid", readPlaced<readEllipsoid>},
     {"box", readPlaced<readBox>},
@@ -43,6 +31,7 @@ constexpr std::array<Choice<ReadShape>, 11> kShapes{{
     {"quad", readPlaced<readQuad>},
     {"disk", readPlaced<readDisk>},
     {"mesh", readMesh},
+    {"teapot", readTeapot},
     {"csg", readCsg},
 }};
 
