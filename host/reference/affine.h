@@ -2,7 +2,7 @@
 // their digits however far from the origin it stands.
 #pragma once
 
-#include "reference/geometry.h"
+#include "reference/ray.h"
 
 #include <glm/glm.hpp>
 

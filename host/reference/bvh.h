@@ -2,7 +2,7 @@
 // nothing with the tree that the kernels walk.
 #pragma once
 
-#include "reference/geometry.h"
+#include "reference/ray.h"
 
 #include <array>
 #include <cstdint>

@@ -1,55 +1,29 @@
-// One ray against one elementary shape, in double precision and without cancellation; and how far a ray that leaves a
-// surface must start from it.
+// One ray against the elementary shapes, in double precision and without cancellation.
 #pragma once
 
+#include "reference/ray.h"
 #include "scene/scene.h"
 
-#include <array>
-#include <cstdint>
 #include <glm/glm.hpp>
-#include <limits>
 #include <optional>
 
 namespace hyalite::reference {
 
-struct Ray {
-    glm::dvec3 origin;                                     // [m], already moved off the surface it leaves
-    glm::dvec3 direction;                                  // unit in the world; of any length in an object's own space
-    double tMax = std::numeric_limits<double>::infinity(); // the ray ends here [m]
-};
-
-// Where a ray meets a shape.
-struct ShapeHit {
-    double t = 0;           // [m], 0 < t <= tMax where not said otherwise
-    double u = 0;           // quad, disk: along the first edge or axis; triangle: weight of the second corner
-    double v = 0;           // quad, disk: along the second edge or axis; triangle: weight of the third corner
-    std::uint32_t part = 0; // which surface of the shape: mesh: the triangle, in the order of the file
-};
-
-// A point of a shape's surface; normals are on its front, whichever side the ray came from.
-struct SurfacePoint {
-    glm::dvec3 position;        // world [m]
-    glm::dvec3 geometricNormal; // unit
-    glm::dvec3 normal;          // unit, for shading
-    double offset = 0;          // distance [m] that a leaving ray starts from the surface
-};
-
-[[nodiscard]] inline bool inRange(double t, const Ray& ray) {
-    return t > 0 && t <= ray.tMax;
-}
-
 [[nodiscard]] std::optional<ShapeHit> intersectSphere(const Ray& ray, const Sphere& sphere); // nearest; [Haines19]
+[[nodiscard]] std::optional<ShapeHit> intersectPlane(const Ray& ray, const Plane& plane);
 [[nodiscard]] std::optional<ShapeHit> intersectQuad(const Ray& ray, const Quad& quad);
+[[nodiscard]] std::optional<ShapeHit> intersectDisk(const Ray& ray, const Disk& disk);
+
+// Of the solids: a line that touches a sphere enters and leaves it at the same t.
+[[nodiscard]] Crossings crossings(const Sphere& sphere, const Ray& line);
+[[nodiscard]] Crossings crossings(const Plane& plane, const Ray& line); // the half-space behind
+
+[[nodiscard]] bool isInside(const Sphere& sphere, const glm::dvec3& point);
+[[nodiscard]] bool isInside(const Plane& plane, const glm::dvec3& point);
 
 [[nodiscard]] SurfacePoint surfaceAt(const Sphere& sphere, const Ray& ray, const ShapeHit& hit);
+[[nodiscard]] SurfacePoint surfaceAt(const Plane& plane, const Ray& ray, const ShapeHit& hit);
 [[nodiscard]] SurfacePoint surfaceAt(const Quad& quad, const Ray& ray, const ShapeHit& hit);
-
-// Distance [m] that a ray's origin is moved along the normal, away from the surface it leaves. `scale` [m] bounds the
-// sum of the lengths that the point was computed from (corner and edges, centre and radius), whose rounding errors add
-// up to at most 16 half-ulps of it: 8 in the point itself, 8 in the next intersection with the same shape. Four times
-// that keeps the next root on the right side of zero.
-[[nodiscard]] constexpr double surfaceOffset(double scale) {
-    return 64 * 0x1p-53 * scale;
-}
+[[nodiscard]] SurfacePoint surfaceAt(const Disk& disk, const Ray& ray, const ShapeHit& hit);
 
 } // namespace hyalite::reference

@@ -6,6 +6,33 @@
 
 namespace hyalite::reference {
 
+namespace {
+
+struct Passage { // of the line through one triangle
+    ShapeHit at;
+    int turn = 0; // +1: enters the front, -1: leaves it
+};
+
+// All of them, ascending in t.
+std::vector<Passage> passages(const Instance& instance, const Ray& world) {
+    std::vector<Passage> result;
+    Ray endless = instance.map.rayToObject({.origin = world.origin, .direction = world.direction});
+    const ShearedLine line(endless);
+    const auto visit = [&](std::uint32_t index) {
+        if (const auto m = line.meetOnce(instance.tree->triangle(index))) {
+            result.push_back({.at = {.t = m->t, .u = m->u, .v = m->v, .part = index}, .turn = m->fromFront ? 1 : -1});
+        }
+        return true;
+    };
+    instance.tree->bvh.walk(endless, visit, -kInfinite);
+    std::sort(result.begin(), result.end(), [](const Passage& a, const Passage& b) {
+        return std::tuple(a.at.t, a.at.part) < std::tuple(b.at.t, b.at.part);
+    });
+    return result;
+}
+
+} // namespace
+
 MeshTree::MeshTree(const Mesh& source) : mesh(source) {
     std::vector<Box> boxes(mesh.triangles.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -35,6 +62,31 @@ std::optional<ShapeHit> intersectInstance(const Ray& ray, const Instance& instan
         return !nearest || wanted == Wanted::Nearest;
     });
     return nearest;
+}
+
+Crossings crossings(const Instance& instance, const Ray& line) {
+    Crossings result;
+    int winding = 0;
+    for (const Passage& passage : passages(instance, line)) {
+        const bool wasInside = winding != 0;
+        winding += passage.turn;
+        if ((winding != 0) != wasInside) {
+            result.push_back({.at = passage.at, .entering = !wasInside});
+        }
+    }
+    if (winding != 0) { // the mesh is not closed
+        result.push_back({.at = {.t = kInfinite}, .entering = false});
+    }
+    return result;
+}
+
+bool isInside(const Instance& instance, const glm::dvec3& point) {
+    constexpr glm::dvec3 kAnyDirection(0.48, 0.64, 0.6);
+    int winding = 0;
+    for (const Passage& passage : passages(instance, {.origin = point, .direction = kAnyDirection})) {
+        winding += passage.at.t > 0 ? passage.turn : 0;
+    }
+    return winding != 0;
 }
 
 SurfacePoint surfaceAt(const Instance& instance, const Ray& ray, const ShapeHit& hit) {

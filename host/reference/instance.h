@@ -3,7 +3,7 @@
 
 #include "reference/affine.h"
 #include "reference/bvh.h"
-#include "reference/geometry.h"
+#include "reference/ray.h"
 #include "reference/triangle.h"
 #include "scene/scene.h"
 
@@ -29,6 +29,10 @@ struct Instance {
 // The nearest hit, of equally near ones that of the first triangle; or any, where that is all that is asked.
 enum class Wanted { Nearest, Any };
 [[nodiscard]] std::optional<ShapeHit> intersectInstance(const Ray& ray, const Instance& instance, Wanted wanted);
+
+// Of a closed mesh as a solid: inside is where the winding number, the sum of the crossings on one side, is not 0.
+[[nodiscard]] Crossings crossings(const Instance& instance, const Ray& line);
+[[nodiscard]] bool isInside(const Instance& instance, const glm::dvec3& point);
 
 [[nodiscard]] SurfacePoint surfaceAt(const Instance& instance, const Ray& ray, const ShapeHit& hit);
 

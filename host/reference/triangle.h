@@ -2,7 +2,7 @@
 // that no ray slips between them, and a closed mesh is left as often as it is entered.
 #pragma once
 
-#include "reference/geometry.h"
+#include "reference/ray.h"
 
 #include <array>
 #include <cstdint>

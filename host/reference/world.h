@@ -4,9 +4,10 @@
 
 #include "reference/bvh.h"
 #include "reference/camera.h"
+#include "reference/csg.h"
 #include "reference/geometry.h"
-#include "reference/instance.h"
 #include "reference/lights.h"
+#include "reference/solid.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -16,7 +17,7 @@
 
 namespace hyalite::reference {
 
-using Geometry = std::variant<Sphere, Quad, Instance>;
+using Geometry = std::variant<Solid, Quad, Disk, CsgTree>;
 
 struct World {
     CameraFrame camera;
@@ -24,20 +25,27 @@ struct World {
     double initialRadius = 0; // ppm: search radius of pass 0 [m]
     std::vector<Material> materials;
     std::vector<Object> objects;
+    std::vector<Object> csgLeaves;
     std::vector<Geometry> geometry; // per object
     std::vector<Light> lights;
-    Bvh bvh; // over the objects
+    std::vector<std::uint32_t> bounded;   // the objects that the tree is over
+    std::vector<std::uint32_t> unbounded; // those without end, tried one by one
+    Bvh bvh;
 };
 
 // Throws Error(BadInput) where the scene cannot be rendered.
 [[nodiscard]] World prepareWorld(const Scene& scene);
 
+inline constexpr std::uint32_t kNoLeaf = 0xffffffff;
+
 struct Hit {
     double t = 0; // distance along the ray [m]
     std::uint32_t object = 0;
-    std::uint32_t primitive = 0; // the shape's part: of a mesh the triangle, in the order of the file
-    double u = 0;                // see ShapeHit
+    std::uint32_t primitive = 0; // the shape's part; this and u, v: see ShapeHit
+    double u = 0;
     double v = 0;
+    std::uint32_t leaf = kNoLeaf; // CSG: whose surface it is, in Scene::csgLeaves
+    double spread = 0;            // CSG: see CsgHit
 };
 
 // The nearest hit with 0 < t <= tMax; of equally near ones that of the first object, then of the first triangle.
@@ -51,12 +59,15 @@ struct Surface {
     glm::dvec3 position;        // world [m]
     glm::dvec3 geometricNormal; // unit, on the side the ray came from
     glm::dvec3 normal;          // unit, for shading: interpolated where the mesh has normals, turned likewise
-    bool front = false;         // the ray came from the outside of a sphere or mesh, the emitting side of a quad
-    double offset = 0;          // distance [m] that a leaving ray starts from the surface
+    bool front = false; // the ray came from the outside of a solid or mesh, the side of q > 0, the front of a quad
+    double offset = 0;  // distance [m] that a leaving ray starts from the surface
     const Material* material = nullptr; // of the world; nullptr: absorbs
     glm::dvec3 emission{0};             // radiance towards where the ray came from [W/(m^2 sr)]
 };
 [[nodiscard]] Surface evaluateSurface(const World& world, const Ray& ray, const Hit& hit);
+
+// Is the point inside the object? Nothing is inside quads, disks and open quadrics.
+[[nodiscard]] bool isInside(const World& world, std::uint32_t object, const glm::dvec3& point);
 
 // Where a ray that leaves the surface in the direction starts.
 [[nodiscard]] glm::dvec3 leave(const Surface& surface, const glm::dvec3& direction);
