@@ -31,7 +31,16 @@ Bounds shapeBounds(const Scene& scene, const MeshInstance& instance) {
 // As a solid: a plane is the half-space behind it.
 Bounds leafBounds(const Scene& scene, const Object& leaf) {
     const auto* plane = std::get_if<Plane>(&leaf.shape);
-    return plane != nullptr ? Bounds::everything() : worldBounds(scene, leaf);
+    if (plane == nullptr) {
+        return worldBounds(scene, leaf);
+    }
+    Bounds box = Bounds::everything();
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(plane->normal[axis]) == 1) {
+            (plane->normal[axis] > 0 ? box.high : box.low)[axis] = plane->point[axis];
+        }
+    }
+    return box;
 }
 
 Bounds shapeBounds(const Scene& scene, const Csg& csg) {

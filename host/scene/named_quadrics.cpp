@@ -41,8 +41,28 @@ Quadric coneQuadric(double baseRadius, double topRadius, double height) {
 }
 
 QuadricForm ellipsoidForm(const glm::dvec3& radii) {
-    const glm::dvec3 r2 = radii * radii;
-    return normalised({.a = 1 / r2.x, .e = 1 / r2.y, .h = 1 / r2.z, .j = -1});
+    const glm::dvec3 inverse2 = 1.0 / (radii * radii);
+    return normalised({.a = inverse2.x, .e = inverse2.y, .h = inverse2.z, .j = -1});
+}
+
+QuadricForm paraboloidForm(const glm::dvec3& radii) {
+    const glm::dvec3 inverse2 = 1.0 / (radii * radii);
+    return normalised({.a = inverse2.x, .g = -0.5 / radii.y, .h = inverse2.z});
+}
+
+QuadricForm hyperboloidOneSheetForm(const glm::dvec3& radii) {
+    const glm::dvec3 inverse2 = 1.0 / (radii * radii);
+    return normalised({.a = inverse2.x, .e = -inverse2.y, .h = inverse2.z, .j = -1});
+}
+
+QuadricForm hyperboloidTwoSheetsForm(const glm::dvec3& radii) {
+    const glm::dvec3 inverse2 = 1.0 / (radii * radii);
+    return normalised({.a = inverse2.x, .e = -inverse2.y, .h = inverse2.z, .j = 1});
+}
+
+QuadricForm hyperbolicParaboloidForm(const glm::dvec3& radii) {
+    const glm::dvec3 inverse2 = 1.0 / (radii * radii);
+    return normalised({.a = -inverse2.x, .g = 0.5 / radii.y, .h = inverse2.z});
 }
 
 } // namespace hyalite

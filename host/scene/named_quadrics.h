@@ -16,7 +16,11 @@ namespace hyalite {
 [[nodiscard]] Quadric cylinderQuadric(double radius, double height);
 [[nodiscard]] Quadric coneQuadric(double baseRadius, double topRadius, double height);
 
-// x^2/a^2 + y^2/b^2 + z^2/c^2 <= 1 with radii a, b, c
-[[nodiscard]] QuadricForm ellipsoidForm(const glm::dvec3& radii);
+// Without caps or clip box. The radii a, b, c [m] are lengths along x, y and z.
+[[nodiscard]] QuadricForm ellipsoidForm(const glm::dvec3& radii);            // x^2/a^2 + y^2/b^2 + z^2/c^2 <= 1
+[[nodiscard]] QuadricForm paraboloidForm(const glm::dvec3& radii);           // x^2/a^2 + z^2/c^2 <= y/b
+[[nodiscard]] QuadricForm hyperboloidOneSheetForm(const glm::dvec3& radii);  // x^2/a^2 - y^2/b^2 + z^2/c^2 <= 1
+[[nodiscard]] QuadricForm hyperboloidTwoSheetsForm(const glm::dvec3& radii); // x^2/a^2 - y^2/b^2 + z^2/c^2 <= -1
+[[nodiscard]] QuadricForm hyperbolicParaboloidForm(const glm::dvec3& radii); // x^2/a^2 - z^2/c^2 >= y/b
 
 } // namespace hyalite

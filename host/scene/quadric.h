@@ -11,6 +11,10 @@ namespace hyalite {
 [[nodiscard]] glm::dmat4 quadricMatrix(const QuadricForm& form);
 [[nodiscard]] QuadricForm quadricForm(const glm::dmat4& symmetric);
 
+// Of q(p) = p^T A p + 2 b^T p + j, A and b.
+[[nodiscard]] glm::dmat3 quadraticPart(const QuadricForm& form);
+[[nodiscard]] glm::dvec3 linearPart(const QuadricForm& form);
+
 // The form of the image of the surface under an invertible affine map: Q' = M^-T Q M^-1.
 [[nodiscard]] QuadricForm transformed(const QuadricForm& form, const glm::dmat4& map);
 
@@ -43,9 +47,16 @@ namespace hyalite {
 [[nodiscard]] Bounds intersection(const Bounds& a, const Bounds& b);
 [[nodiscard]] bool isEmpty(const Bounds& box);
 
-// The point that q is best written about: where its gradient vanishes, or nearly does (the least squares solution of
-// smallest norm, for forms without such a point).
+// The point that q is best written about: the centre of an ellipsoid, hyperboloid or pair of planes, the vertex of a
+// cone or paraboloid; where these are lines or planes, the point of them nearest to the origin; of a plane too.
 [[nodiscard]] glm::dvec3 formCenter(const QuadricForm& form);
+
+// The least and the greatest value of q within a box.
+struct Extremes {
+    double least = 0;
+    double greatest = 0;
+};
+[[nodiscard]] Extremes extremes(const QuadricForm& form, const Bounds& finite);
 
 // Eigenvectors (columns, orthonormal) and eigenvalues of a symmetric matrix.
 struct Eigensystem {

@@ -127,6 +127,11 @@ Shape readCsg(Reader& reader, const Surroundings& around) {
                               "make several objects of it, or a mesh");
         }
     }
+    Object whole;
+    whole.shape = csg;
+    if (operation == CsgStep::Intersection && isEmpty(worldBounds(around.scene, whole))) {
+        reader.map().fail("nothing is left of this csg: its shapes do not meet");
+    }
     return csg;
 }
 

@@ -5,6 +5,7 @@
 #include "scene/read_flat_shapes.h"
 #include "scene/read_materials.h"
 #include "scene/read_meshes.h"
+#include "scene/read_quadrics.h"
 #include "scene/read_solids.h"
 #include "scene/read_transform.h"
 
@@ -20,13 +21,18 @@ Shape readPlaced(Reader& reader, const Surroundings& around) {
 }
 
 using ReadShape = Shape (*)(Reader&, const Surroundings&);
-constexpr std::array<Choice<ReadShape>, 12> kShapes{{
+constexpr std::array<Choice<ReadShape>, 17> kShapes{{
     {"sphere", readPlaced<readSphere>},
-    {"ellipsoid", readPlaced<readEllipsoid>},
     {"box", readPlaced<readBox>},
     {"cylinder", readPlaced<readCylinder>},
     {"cone", readPlaced<readCone>},
     {"torus", readPlaced<readTorus>},
+    {"ellipsoid", readPlaced<readNamedQuadric<ellipsoidForm>>},
+    {"paraboloid", readPlaced<readNamedQuadric<paraboloidForm>>},
+    {"hyperboloid_one_sheet", readPlaced<readNamedQuadric<hyperboloidOneSheetForm>>},
+    {"hyperboloid_two_sheets", readPlaced<readNamedQuadric<hyperboloidTwoSheetsForm>>},
+    {"hyperbolic_paraboloid", readPlaced<readNamedQuadric<hyperbolicParaboloidForm>>},
+    {"quadric", readPlaced<readQuadric>},
     {"plane", readPlaced<readPlane>},
     {"quad", readPlaced<readQuad>},
     {"disk", readPlaced<readDisk>},

@@ -30,14 +30,6 @@ std::optional<double> uniformScale(const glm::dmat4& matrix) {
     return std::sqrt(squared);
 }
 
-Quadric placedEllipsoid(const Reader& reader, const Placement& placement, const glm::dvec3& center,
-                        const glm::dvec3& radii) {
-    const Quadric ellipsoid{.form = ellipsoidForm(radii), .objectToWorld = placed(placement, center)};
-    checkThickness(placement, std::min({radii.x, radii.y, radii.z}));
-    checkReach(reader, worldBounds(ellipsoid));
-    return ellipsoid;
-}
-
 // The segment from `base` to `top` that cylinders and cones stand on.
 struct Segment {
     glm::dvec3 base{0};
@@ -75,24 +67,19 @@ Shape readSphere(Reader& reader, const Placement& placement) {
     Sphere sphere;
     reader.optional("center", sphere.center, kCoordinate);
     reader.required("radius", sphere.radius, kLength);
+    checkThickness(placement, sphere.radius);
 
     const auto scale = uniformScale(placement.objectToWorld);
     if (!scale) {
-        return placedEllipsoid(reader, placement, sphere.center, glm::dvec3(sphere.radius));
+        const Quadric ellipsoid{.form = ellipsoidForm(glm::dvec3(sphere.radius)),
+                                .objectToWorld = placed(placement, sphere.center)};
+        checkReach(reader, worldBounds(ellipsoid));
+        return ellipsoid;
     }
-    checkThickness(placement, sphere.radius);
     sphere.center = transformPoint(placement.objectToWorld, sphere.center);
     sphere.radius *= *scale;
     checkReach(reader, worldBounds(sphere));
     return sphere;
-}
-
-Shape readEllipsoid(Reader& reader, const Placement& placement) {
-    glm::dvec3 center(0);
-    glm::dvec3 radii(0);
-    reader.optional("center", center, kCoordinate);
-    reader.required("radii", radii, kLength);
-    return placedEllipsoid(reader, placement, center, radii);
 }
 
 Shape readBox(Reader& reader, const Placement& placement) {

@@ -14,6 +14,5 @@ namespace hyalite {
 [[nodiscard]] Shape readCylinder(Reader& reader, const Placement& placement);
 [[nodiscard]] Shape readCone(Reader& reader, const Placement& placement);
 [[nodiscard]] Shape readTorus(Reader& reader, const Placement& placement);
-[[nodiscard]] Shape readEllipsoid(Reader& reader, const Placement& placement);
 
 } // namespace hyalite

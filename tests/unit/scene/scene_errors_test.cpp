@@ -1,46 +1,12 @@
 // Every mistake in a scene file is reported with its place, what is wrong and the exit code for bad input. The place
 // is the dollar sign in the text.
-#include "unit/scene/scene_test_support.h"
-
-#include <catch2/generators/catch_generators.hpp>
-#include <catch2/generators/catch_generators_range.hpp>
-#include <catch2/matchers/catch_matchers_string.hpp>
+#include "unit/scene/bad_scene.h"
 
 using Catch::Matchers::ContainsSubstring;
 using namespace hyalite;
 using namespace hyalite::test;
 
 namespace {
-
-// A mistake in a scene, what the message must contain and what its hint.
-struct BadScene {
-    std::string marked;
-    std::string what;
-    std::string hint = {};
-};
-
-void checkReported(const BadScene& bad) {
-    INFO(bad.marked);
-    TemporaryFolder folder;
-    const MarkedText scene(bad.marked);
-    const auto file = folder.write("scene.yaml", scene.text);
-    const auto error = errorOf([&] { return loadScene(file); });
-    REQUIRE(error.has_value());
-    INFO(error->what());
-    CHECK(error->code() == ExitCode::BadInput);
-    CHECK(error->where().file == file.string());
-    CHECK(error->where().line == scene.line);
-    CHECK(error->where().column == scene.column);
-    CHECK_THAT(error->what(), ContainsSubstring(bad.what));
-    CHECK_THAT(error->hint(), ContainsSubstring(bad.hint));
-    CHECK(std::string(error->what()).find('\n') == std::string::npos);
-}
-
-void checkAll(std::initializer_list<BadScene> scenes) {
-    for (const BadScene& bad : scenes) {
-        checkReported(bad);
-    }
-}
 
 // A scene that is right but for one part.
 std::string withCamera(const std::string& camera) {
@@ -62,11 +28,6 @@ std::string withMaterial(const std::string& material) {
 std::string withLight(const std::string& light) {
     return "hyalite: 1\nmaterials: {gray: {type: diffuse}}\nlights:\n  - " + light +
            "\nobjects: [{shape: {type: sphere, radius: 1}, material: gray}]\n";
-}
-std::string withObject(const std::string& object) {
-    return "hyalite: 1\nlights: [{type: point, position: [0, 1, 0]}]\nmaterials: {gray: {type: diffuse}}\n"
-           "objects:\n  - " +
-           object + "\n";
 }
 
 } // namespace
@@ -301,17 +262,17 @@ TEST_CASE("deep nesting and aliases that multiply are refused at once") {
         const auto error = errorOf([&] { return loadScene(folder.write("scene.yaml", text)); });
         return error ? std::string(error->what()) : std::string("no error");
     };
-    // 64 levels are allowed: the outer map, the list `objects` and 62 more lists.
-    CHECK_THAT(message("hyalite: 1\nobjects: " + std::string(63, '[') + std::string(63, ']') + "\n"),
+    // 128 levels are allowed: the outer map, the list `objects` and 126 more lists.
+    CHECK_THAT(message("hyalite: 1\nobjects: " + std::string(127, '[') + std::string(127, ']') + "\n"),
                ContainsSubstring("must be a map"));
-    CHECK_THAT(message("hyalite: 1\nobjects: " + std::string(64, '[') + std::string(64, ']') + "\n"),
-               ContainsSubstring("more than 64 lists and maps"));
-    CHECK_THAT(message(std::string(200000, '[')), ContainsSubstring("more than 64 lists and maps"));
+    CHECK_THAT(message("hyalite: 1\nobjects: " + std::string(128, '[') + std::string(128, ']') + "\n"),
+               ContainsSubstring("more than 128 lists and maps"));
+    CHECK_THAT(message(std::string(200000, '[')), ContainsSubstring("more than 128 lists and maps"));
     std::string dashes = "hyalite: 1\nobjects:\n";
     for (int i = 0; i < 5000; ++i) {
         dashes += "- ";
     }
-    CHECK_THAT(message(dashes), ContainsSubstring("more than 64 lists and maps"));
+    CHECK_THAT(message(dashes), ContainsSubstring("more than 128 lists and maps"));
 
     // Ten aliases of ten of ten ...: ten levels stand for 10^10 values.
     std::string bomb = "a0: &a0 [x, x, x, x, x, x, x, x, x, x]\n";
@@ -325,8 +286,8 @@ TEST_CASE("deep nesting and aliases that multiply are refused at once") {
     }
     CHECK_THAT(message(bomb), ContainsSubstring("more than 8388608 values"));
 
-    // Depth counts through aliases too: 40 lists around an alias of 40 lists.
-    CHECK_THAT(message("a: &a " + std::string(40, '[') + std::string(40, ']') + "\nb: " + std::string(40, '[') + "*a" +
-                       std::string(40, ']') + "\n"),
-               ContainsSubstring("more than 64 lists and maps"));
+    // Depth counts through aliases too: 80 lists around an alias of 80 lists.
+    CHECK_THAT(message("a: &a " + std::string(80, '[') + std::string(80, ']') + "\nb: " + std::string(80, '[') + "*a" +
+                       std::string(80, ']') + "\n"),
+               ContainsSubstring("more than 128 lists and maps"));
 }

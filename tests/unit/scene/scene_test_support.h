@@ -87,6 +87,15 @@ inline std::string readFile(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
+// A scene of one gray object with this shape and transform.
+inline Scene loadWithShape(const std::string& shape, const std::string& transform = "[]") {
+    TemporaryFolder folder;
+    return loadScene(folder.write("scene.yaml", "hyalite: 1\nlights: [{type: point, position: [0, 1, 0]}]\n"
+                                                "materials: {gray: {type: diffuse}, red: {type: diffuse}}\n"
+                                                "objects:\n  - {material: gray, shape: " +
+                                                    shape + ", transform: " + transform + "}\n"));
+}
+
 inline const std::filesystem::path kSourceFolder = HYALITE_SOURCE_DIR;
 
 } // namespace hyalite::test

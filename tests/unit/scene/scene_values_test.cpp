@@ -19,14 +19,8 @@ void checkNear(const glm::dvec3& actual, const glm::dvec3& expected, double tole
     CHECK(glm::length(actual - expected) <= tolerance);
 }
 
-// A scene of one gray object with this shape and transform.
 Object loadObject(const std::string& shape, const std::string& transform) {
-    TemporaryFolder folder;
-    const Scene scene =
-        loadScene(folder.write("scene.yaml", "hyalite: 1\nlights: [{type: point, position: [0, 1, 0]}]\n"
-                                             "materials: {gray: {type: diffuse}}\nobjects:\n  - {shape: " +
-                                                 shape + ", material: gray, transform: " + transform + "}\n"));
-    return scene.objects.at(0);
+    return loadWithShape(shape, transform).objects.at(0);
 }
 
 Sphere loadSphere(const std::string& transform) {

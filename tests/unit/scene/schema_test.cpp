@@ -80,7 +80,12 @@ TEST_CASE("the JSON Schema has exactly the keys that the loader knows") {
         {"/$defs/quad",
          object + "shape: {type: quad, corner: [0, 0, 0], edges: [[1, 0, 0], [0, 1, 0]], unheardof: 1}}]\n"},
         {"/$defs/mesh", object + "shape: {type: mesh, file: t.obj, unheardof: 1}}]\n"},
-        {"/$defs/ellipsoid", object + "shape: {type: ellipsoid, radii: [1, 2, 3], unheardof: 1}}]\n"},
+        {"/$defs/namedQuadric", object + "shape: {type: ellipsoid, radii: [1, 2, 3], unheardof: 1}}]\n"},
+        {"/$defs/namedQuadric", object + "shape: {type: hyperbolic_paraboloid, radii: [1, 2, 3], unheardof: 1}}]\n"},
+        {"/$defs/quadric", object + "shape: {type: quadric, coefficients: [1, 0, 0, 0, 1, 0, 0, 1, 0, -1], "
+                                    "unheardof: 1}}]\n"},
+        {"/$defs/clip",
+         object + "shape: {type: ellipsoid, radii: [1, 2, 3], clip: {min: [0, 0, 0], unheardof: 1}}}]\n"},
         {"/$defs/box", object + "shape: {type: box, min: [0, 0, 0], max: [1, 1, 1], unheardof: 1}}]\n"},
         {"/$defs/cylinder",
          object + "shape: {type: cylinder, base: [0, 0, 0], top: [0, 1, 0], radius: 1, unheardof: 1}}]\n"},
@@ -88,6 +93,7 @@ TEST_CASE("the JSON Schema has exactly the keys that the loader knows") {
         {"/$defs/torus", object + "shape: {type: torus, major: 2, minor: 1, unheardof: 1}}]\n"},
         {"/$defs/plane", object + "shape: {type: plane, point: [0, 0, 0], normal: [0, 1, 0], unheardof: 1}}]\n"},
         {"/$defs/disk", object + "shape: {type: disk, normal: [0, 1, 0], radius: 1, unheardof: 1}}]\n"},
+        {"/$defs/teapot", object + "shape: {type: teapot, unheardof: 1}}]\n"},
         {"/$defs/csg", object + "shape: {type: csg, op: union, unheardof: 1, shapes: [{type: sphere, radius: 1}, "
                                 "{type: sphere, radius: 2}]}}]\n"},
         {"/$defs/map", object + "shape: {type: sphere, radius: 1}, transform: [{unheardof: 1}]}]\n"},
