@@ -169,13 +169,17 @@ WorldQuadric::WorldQuadric(const Quadric& quadric)
     const dmat3 objectA{q.a, q.b, q.c, q.b, q.e, q.f, q.c, q.f, q.h};
     const dvec3 objectB{q.d, q.g, q.i};
     const Affine map(quadric.objectToWorld);
-    // Where the gradient vanishes, or of that the nearest point of the clip box: terms are small around it.
-    objectCenter = glm::clamp(solveLoosely(objectA, -objectB), clip.low, clip.high);
+    const auto valueAt = [&](const dvec3& p) { return glm::dot(p, objectA * p + 2.0 * objectB) + q.j; };
+    // Where the terms of q are small: the middle of an ellipsoid, the apex of a cone; not that of what is nearly a
+    // paraboloid, which lies far from the surface. Of either the nearest point of the clip box.
+    const dvec3 middle = glm::clamp(solveLoosely(objectA, -objectB), clip.low, clip.high);
+    const dvec3 origin = glm::clamp(dvec3(0), clip.low, clip.high);
+    objectCenter = std::abs(valueAt(middle)) <= std::abs(valueAt(origin)) ? middle : origin;
     center = map.pointToWorld(objectCenter);
     toObject = map.inverse;
     A = glm::transpose(toObject) * objectA * toObject;
     b = glm::transpose(toObject) * (objectA * objectCenter + objectB);
-    j = glm::dot(objectCenter, objectA * objectCenter + 2.0 * objectB) + q.j;
+    j = valueAt(objectCenter);
 }
 
 Crossings crossings(const WorldQuadric& quadric, const Ray& line) {

@@ -141,3 +141,72 @@ TEST_CASE("no ray slips through the edges and corners of a closed mesh") {
     }
     CHECK(missed == 0);
 }
+
+TEST_CASE("a disk ends at its rim, in the coordinates of its axes") {
+    // An ellipse with semi-axes 2 and 1 at height 3, front upwards: z x x = y.
+    const Disk disk{.center = {1, 3, 1}, .axis0 = {0, 0, 2}, .axis1 = {1, 0, 0}};
+    const Ray ray{.origin = {1.6, 8, 2.5}, .direction = {0, -1, 0}}; // u = 0.75, v = 0.6: 0.9225 <= 1
+    const auto hit = intersectDisk(ray, disk);
+    REQUIRE(hit);
+    CHECK(hit->t == 5);
+    CHECK_THAT(hit->u, WithinAbs(0.75, 1e-15));
+    CHECK_THAT(hit->v, WithinAbs(0.6, 1e-15));
+    const SurfacePoint point = surfaceAt(disk, ray, *hit);
+    checkNear(point.position, {1.6, 3, 2.5}, 1e-15);
+    checkNear(point.geometricNormal, {0, 1, 0}, 1e-15);
+    CHECK_FALSE(intersectDisk({.origin = {1.7, 8, 2.5}, .direction = {0, -1, 0}}, disk)); // 0.5625 + 0.49 > 1
+    CHECK(intersectDisk({.origin = {1, 0, 2.99}, .direction = {0, 1, 0}}, disk));         // from below
+    CHECK_FALSE(intersectDisk({.origin = {1, 0, 3.01}, .direction = {0, 1, 0}}, disk));
+    CHECK_FALSE(intersectDisk({.origin = {-5, 3, 1}, .direction = {1, 0, 0}}, disk)); // in its plane
+}
+
+TEST_CASE("a disk of oblique axes is the ellipse that they span") {
+    // u (1, 0, 0) + v (1, 1, 0): at (1, 0.5) v = 0.5, u = 0.5; at (1.4, 0.5) u = 0.9, and 0.81 + 0.25 > 1.
+    const Disk disk{.center = {0, 0, 0}, .axis0 = {1, 0, 0}, .axis1 = {1, 1, 0}};
+    const auto hit = intersectDisk({.origin = {1, 0.5, 1}, .direction = {0, 0, -1}}, disk);
+    REQUIRE(hit);
+    CHECK_THAT(hit->u, WithinAbs(0.5, 1e-15));
+    CHECK_THAT(hit->v, WithinAbs(0.5, 1e-15));
+    CHECK_FALSE(intersectDisk({.origin = {1.4, 0.5, 1}, .direction = {0, 0, -1}}, disk));
+}
+
+TEST_CASE("a plane is met wherever the ray goes down to it") {
+    const Plane plane{.point = {0, 2, 0}, .normal = {0, 1, 0}};
+    const Ray ray{.origin = {1e6, 5, 0}, .direction = {0.6, -0.8, 0}};
+    const auto hit = intersectPlane(ray, plane);
+    REQUIRE(hit);
+    CHECK_THAT(hit->t, WithinAbs(3.75, 1e-15)); // 3 / 0.8
+    checkNear(surfaceAt(plane, ray, *hit).position, {1e6 + 2.25, 2, 0}, 1e-9);
+    CHECK_FALSE(intersectPlane({.origin = {0, 5, 0}, .direction = {0.6, 0.8, 0}}, plane));
+    CHECK_FALSE(intersectPlane({.origin = {0, 5, 0}, .direction = {1, 0, 0}}, plane));
+    CHECK_FALSE(intersectPlane({.origin = {0, 2, 0}, .direction = {1, 0, 0}}, plane));
+}
+
+TEST_CASE("as a solid, a plane is the half-space behind it") {
+    const Plane plane{.point = {0, 2, 0}, .normal = {0, 1, 0}};
+    const auto check = [&](const Ray& line, double entered, double left) {
+        const Crossings list = crossings(plane, line);
+        REQUIRE(list.size() == 2);
+        CHECK(list[0].at.t == entered);
+        CHECK(list[1].at.t == left);
+        CHECK(list[0].entering);
+        CHECK_FALSE(list[1].entering);
+    };
+    check({.origin = {0, 5, 0}, .direction = {0, -1, 0}}, 3, kInfinite);
+    check({.origin = {0, 5, 0}, .direction = {0, 1, 0}}, -kInfinite, -3);
+    check({.origin = {0, 1, 0}, .direction = {1, 0, 0}}, -kInfinite, kInfinite);
+    CHECK(crossings(plane, {.origin = {0, 3, 0}, .direction = {1, 0, 0}}).empty());
+    CHECK(isInside(plane, {7, 1.9, 7}));
+    CHECK_FALSE(isInside(plane, {7, 2.1, 7}));
+}
+
+TEST_CASE("a line passes a sphere twice, also behind the ray") {
+    const Crossings list = crossings(Sphere{{0, 0, 0}, 2}, {.origin = {5, 0, 0}, .direction = {1, 0, 0}});
+    REQUIRE(list.size() == 2);
+    CHECK(list[0].at.t == -7);
+    CHECK(list[1].at.t == -3);
+    CHECK(list[0].entering);
+    CHECK_FALSE(list[1].entering);
+    CHECK(isInside(Sphere{{1, 1, 1}, 2}, {1, 1, 2.9}));
+    CHECK_FALSE(isInside(Sphere{{1, 1, 1}, 2}, {1, 1, 3.1}));
+}

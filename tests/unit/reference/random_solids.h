@@ -4,6 +4,7 @@
 #include "unit/reference/support.h"
 
 #include <algorithm>
+#include <array>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 
