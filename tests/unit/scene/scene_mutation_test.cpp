@@ -70,6 +70,31 @@ int countRefused(const std::string& good, std::uint32_t seed, int copies, const 
     return refused;
 }
 
+// Every shape, and csg in csg.
+constexpr std::string_view kSolids = R"(hyalite: 1
+lights: [{type: point, position: [0, 9, 0]}]
+materials: {a: {type: diffuse}, b: {type: mirror}}
+objects:
+  - {material: a, shape: {type: plane, point: [0, -1, 0], normal: [0, 1, 0]}}
+  - {material: a, shape: {type: disk, center: [0, 2, 0], normal: [0, -1, 1], radius: 0.5}, transform: [{scale: [2, 1, 1]}]}
+  - {material: a, shape: {type: cone, base: [0, 0, 0], top: [0, 1, 1], radius: 0.5, top_radius: 0.25, open: true}}
+  - {material: b, shape: {type: torus, axis: [1, 1, 0], major: 2, minor: 0.5}}
+  - {material: b, shape: {type: paraboloid, radii: [1, 2, 3], clip: {max: [null, 4, null]}, caps: false}}
+  - {material: b, shape: {type: quadric, coefficients: [1, 0.5, 0, 0, 2, 0, 0, 1, 0, -1], clip: {min: [0, null, -1]}}}
+  - material: a
+    shape:
+      type: csg
+      op: difference
+      cut_material: b
+      shapes:
+        - type: csg
+          op: intersection
+          left: {type: box, min: [-1, -1, -1], max: [1, 1, 1], transform: [{rotate: {axis: [0, 1, 0], degrees: 45}}]}
+          right: {type: sphere, radius: 1.25, material: b}
+        - {type: cylinder, base: [0, -2, 0], top: [0, 2, 0], radius: 0.5}
+        - {type: mesh, file: models/icosahedron.obj, transform: [{scale: 0.5}]}
+)";
+
 } // namespace
 
 TEST_CASE("damaged scene files load or are refused, whatever the damage") {
@@ -78,8 +103,13 @@ TEST_CASE("damaged scene files load or are refused, whatever the damage") {
     folder.write("models/uv-sphere.ply", readFile(kSourceFolder / "scenes/models/uv-sphere.ply"));
     constexpr int kCopies = 1000;
     std::uint32_t seed = 1;
+    std::vector<std::string> scenes{std::string(kSolids)};
     for (const auto* name : {"cornell-caustics.yaml", "tests/mesh-room.yaml", "tests/point-light-floor.yaml"}) {
-        const std::string good = readFile(kSourceFolder / "scenes" / name);
+        scenes.push_back(readFile(kSourceFolder / "scenes" / name));
+    }
+    folder.write("tests/models/icosahedron.obj", readFile(kSourceFolder / "scenes/models/icosahedron.obj"));
+    for (const std::string& good : scenes) {
+        static_cast<void>(loadScene(folder.write("tests/scene.yaml", good)));
         const int refused = countRefused(good, seed++, kCopies, [&](const std::string& bad) {
             static_cast<void>(loadScene(folder.write("tests/scene.yaml", bad)));
         });

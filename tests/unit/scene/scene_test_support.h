@@ -91,7 +91,8 @@ inline std::string readFile(const std::filesystem::path& path) {
 inline Scene loadWithShape(const std::string& shape, const std::string& transform = "[]") {
     TemporaryFolder folder;
     return loadScene(folder.write("scene.yaml", "hyalite: 1\nlights: [{type: point, position: [0, 1, 0]}]\n"
-                                                "materials: {gray: {type: diffuse}, red: {type: diffuse}}\n"
+                                                "materials: {gray: {type: diffuse}, red: {type: diffuse}, "
+                                                "green: {type: diffuse}, blue: {type: diffuse}}\n"
                                                 "objects:\n  - {material: gray, shape: " +
                                                     shape + ", transform: " + transform + "}\n"));
 }

@@ -28,9 +28,19 @@ GOOD = {
     "objects": [
         {"shape": {"type": "sphere", "radius": 1}, "material": "m", "transform": [{"scale": 2}]},
         {"shape": {"type": "quad", "corner": [0, 0, 0], "edges": [[1, 0, 0], [0, 1, 0]]}, "emission": 1},
+        {"shape": {"type": "cone", "base": [0, 0, 0], "top": [0, 1, 0], "radius": 1, "open": True}, "material": "m"},
+        {"shape": {"type": "quadric", "coefficients": [1, 0, 0, 0, 1, 0, 0, 1, 0, -1],
+                   "clip": {"min": [None, 0, None]}, "caps": False}, "material": "m"},
+        {"shape": {"type": "csg", "op": "difference", "cut_material": "m",
+                   "shapes": [{"type": "csg", "op": "union",
+                               "left": {"type": "ellipsoid", "radii": [1, 2, 3], "transform": [{"scale": 2}]},
+                               "right": {"type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": "m"}},
+                              {"type": "box", "min": [0, 0, 0], "max": [1, 1, 1]}]}},
+        {"shape": {"type": "sphere", "radius": 1, "material": "m"}},
     ],
 }
-assert validator.is_valid(GOOD)
+for error in validator.iter_errors(GOOD):
+    sys.exit(f"the good scene: {error.json_path}: {error.message}")
 
 # A path into the scene and what makes it wrong there; None removes the key.
 MISTAKES = [
@@ -48,6 +58,17 @@ MISTAKES = [
     (["objects", 0, "transform"], {"scale": 2}), (["objects", 0, "transform", 0, "translate"], [0, 0, 0]),
     (["objects", 1, "shape", "edges"], [[1, 0, 0]]), (["objects", 1, "emission"], -1),
     (["objects", 1, "shape"], {"type": "mesh", "file": "teapot.fbx"}),
+    (["objects", 2, "shape", "radius"], -1), (["objects", 2, "shape", "open"], 1), (["objects", 2, "shape", "caps"], True),
+    (["objects", 3, "shape", "coefficients"], [1, 2, 3]), (["objects", 3, "shape", "clip"], None),  # caps without a clip
+    (["objects", 3, "shape", "clip"], {}), (["objects", 3, "shape", "clip", "min"], [None, 0]),
+    (["objects", 4, "shape", "op"], "union"),  # with a cut_material
+    (["objects", 4, "shape", "op"], "xor"), (["objects", 4, "shape", "shapes"], None),
+    (["objects", 4, "shape", "shapes", 1], {"type": "disk", "normal": [0, 1, 0], "radius": 1}),
+    (["objects", 4, "shape", "shapes", 1], {"type": "quad", "corner": [0, 0, 0], "edges": [[1, 0, 0], [0, 1, 0]]}),
+    (["objects", 4, "shape", "shapes", 0, "right"], None), (["objects", 4, "shape", "shapes", 0, "left", "radius"], 1),
+    (["objects", 4, "shape", "left"], {"type": "sphere", "radius": 1}),  # beside shapes
+    (["objects", 4, "shape", "shapes", 0, "left", "transform"], {"scale": 2}),
+    (["objects", 5, "shape", "material"], None),
 ]
 for path, wrong in MISTAKES:
     bad = copy.deepcopy(GOOD)
