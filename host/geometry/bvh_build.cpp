@@ -1,20 +1,33 @@
-// Binned surface-area-heuristic build [Wald07], the two halves of large nodes on different threads.
+// Binned surface-area-heuristic build [Wald07]: large nodes are binned on all cores, then subtrees are built side by
+// side.
 #include "geometry/bvh.h"
+
+#include "base/parallel.h"
 
 #include "shaders/shared/limits.h"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <future>
-#include <numeric>
+#include <mutex>
+#include <thread>
 
 namespace hyalite {
 
 namespace {
 
 constexpr int kBins = 16;
-constexpr float kNodeCost = 1.0F;                  // of a box test, in triangle tests
-constexpr std::uint32_t kParallelCount = 1U << 15; // below this a thread costs more than it brings
+constexpr float kNodeCost = 1.0F;                      // of a box test, in triangle tests
+constexpr std::uint32_t kParallelSubtree = 1U << 13U;  // below this a thread costs more than it brings
+constexpr std::uint32_t kParallelElements = 1U << 18U; // nodes as large as this are binned on all cores
+constexpr std::size_t kGrain = std::size_t{1} << 16U;
+
+// What is moved about while the tree is built: reading it in order is twice as fast as looking boxes up by index.
+struct Element {
+    Aabb box;
+    std::uint32_t index;
+};
 
 struct Split {
     int axis = -1; // none: keep a leaf or cut the range in half
@@ -40,52 +53,138 @@ struct Binning {
     }
 };
 
+// The elements of a node by bin along each axis.
+struct Bins {
+    struct Bin {
+        Aabb box;
+        std::uint32_t count = 0;
+    };
+    std::array<std::array<Bin, kBins>, 3> bins;
+
+    void add(const Element& element, const Binning& binning) {
+        const glm::vec3 centroid = element.box.center();
+        for (int axis = 0; axis < 3; ++axis) {
+            Bin& bin = bins[static_cast<std::size_t>(axis)][static_cast<std::size_t>(binning.bin(centroid, axis))];
+            bin.box.add(element.box);
+            ++bin.count;
+        }
+    }
+    void add(const Bins& other) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            for (std::size_t i = 0; i < kBins; ++i) {
+                bins[axis][i].box.add(other.bins[axis][i].box);
+                bins[axis][i].count += other.bins[axis][i].count;
+            }
+        }
+    }
+
+    // The split of least cost: sum over both sides of (area / node area) * elements.
+    [[nodiscard]] Split leastCost(const BinaryNode& node) const {
+        Split best;
+        const float nodeArea = std::max(node.box.halfArea(), std::numeric_limits<float>::min());
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto& row = bins[static_cast<std::size_t>(axis)];
+            std::array<float, kBins> rightCost{};
+            Aabb box;
+            std::uint32_t count = 0;
+            float cost = 0;
+            for (std::size_t i = kBins - 1; i > 0; --i) {
+                if (row[i].count > 0) { // most bins of a small node are empty
+                    box.add(row[i].box);
+                    count += row[i].count;
+                    cost = box.halfArea() * static_cast<float>(count);
+                }
+                rightCost[i] = cost;
+            }
+            box = {};
+            count = 0;
+            for (std::size_t i = 1; i < kBins; ++i) {
+                if (row[i - 1].count == 0) { // the same split as before this bin
+                    continue;
+                }
+                box.add(row[i - 1].box);
+                count += row[i - 1].count;
+                if (count == node.count) {
+                    break;
+                }
+                cost = (box.halfArea() * static_cast<float>(count) + rightCost[i]) / nodeArea;
+                if (cost < best.cost) {
+                    best = {axis, static_cast<int>(i), cost};
+                }
+            }
+        }
+        return best;
+    }
+};
+
+// Boxes around elements and around their centroids.
+struct Extents {
+    Aabb box;
+    Aabb centroids;
+
+    void add(const Element& element) {
+        box.add(element.box);
+        centroids.add(element.box.center());
+    }
+    void add(const Extents& other) {
+        box.add(other.box);
+        centroids.add(other.centroids);
+    }
+};
+
 class Builder {
 public:
     Builder(std::span<const Aabb> boxes, std::uint32_t leafSize, SplitMethod method)
-        : boxes_(boxes), leafSize_(leafSize), method_(method) {
-        tree_.order.resize(boxes.size());
-        std::iota(tree_.order.begin(), tree_.order.end(), 0U);
+        : leafSize_(leafSize), method_(method), idleCores_(static_cast<int>(std::thread::hardware_concurrency()) - 1) {
         tree_.nodes.resize(boxes.empty() ? 1 : 2 * boxes.size() - 1);
-        centroids_.reserve(boxes.size());
-        for (const Aabb& box : boxes) {
-            centroids_.push_back(box.center());
+        elements_.reserve(boxes.size());
+        for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+            elements_.push_back({boxes[i], i});
         }
     }
 
     BinaryBvh build() {
-        if (!boxes_.empty()) {
-            buildNode(0, 0, static_cast<std::uint32_t>(boxes_.size()));
+        if (!elements_.empty()) {
+            buildNode(0, 0, static_cast<std::uint32_t>(elements_.size()));
+        }
+        tree_.order.reserve(elements_.size());
+        for (const Element& element : elements_) {
+            tree_.order.push_back(element.index);
         }
         return std::move(tree_);
     }
 
 private:
     void buildNode(std::uint32_t slot, std::uint32_t first, std::uint32_t count) {
+        const std::span<Element> range = std::span(elements_).subspan(first, count);
+        const auto extents = sum<Extents>(range, [](Extents& sum, const Element& element) { sum.add(element); });
         BinaryNode& node = tree_.nodes[slot];
         node.first = first;
         node.count = count;
-        Aabb centroids;
-        for (std::uint32_t i = first; i < first + count; ++i) {
-            node.box.add(boxes_[tree_.order[i]]);
-            centroids.add(centroids_[tree_.order[i]]);
-        }
+        node.box = extents.box;
         if (count == 1) {
             return;
         }
-        const Binning binning(centroids);
-        const Split split = method_ == SplitMethod::SurfaceArea ? findSplit(node, binning) : Split{};
+        const Binning binning(extents.centroids);
+        Split split;
+        if (method_ == SplitMethod::SurfaceArea) {
+            split =
+                sum<Bins>(range, [&](Bins& sum, const Element& element) { sum.add(element, binning); }).leastCost(node);
+        }
         const auto leafCost = static_cast<float>(count);
         if (count <= leafSize_ && !(kNodeCost + split.cost < leafCost)) {
             return;
         }
-        const std::uint32_t leftCount = partition(node, split, binning, centroids);
+        const std::uint32_t leftCount = partition(range, split, binning, extents.centroids);
         node.right = slot + 2 * leftCount;
         const auto buildRight = [=, this, right = node.right] {
             buildNode(right, first + leftCount, count - leftCount);
         };
-        if (count >= kParallelCount) {
-            auto other = std::async(std::launch::async, buildRight);
+        if (count >= kParallelSubtree && takeCore()) {
+            auto other = std::async(std::launch::async, [&] {
+                buildRight();
+                ++idleCores_;
+            });
             buildNode(slot + 1, first, leftCount);
             other.get();
         } else {
@@ -94,77 +193,63 @@ private:
         }
     }
 
-    // The split of least cost: sum over both sides of (area / node area) * elements.
-    [[nodiscard]] Split findSplit(const BinaryNode& node, const Binning& binning) const {
-        struct Bin {
-            Aabb box;
-            std::uint32_t count = 0;
-        };
-        std::array<std::array<Bin, kBins>, 3> bins;
-        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-            const std::uint32_t element = tree_.order[i];
-            for (int axis = 0; axis < 3; ++axis) {
-                Bin& bin = bins[static_cast<std::size_t>(axis)]
-                               [static_cast<std::size_t>(binning.bin(centroids_[element], axis))];
-                bin.box.add(boxes_[element]);
-                ++bin.count;
+    // Everything added up; sums of boxes and counts do not depend on the order.
+    template <class Sum, class Add>
+    [[nodiscard]] static Sum sum(std::span<const Element> range, const Add& add) {
+        Sum total;
+        if (range.size() < kParallelElements) {
+            for (const Element& element : range) {
+                add(total, element);
+            }
+            return total;
+        }
+        std::mutex mutex;
+        parallelFor(range.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+            Sum part;
+            for (const Element& element : range.subspan(begin, end - begin)) {
+                add(part, element);
+            }
+            const std::lock_guard lock(mutex);
+            total.add(part);
+        });
+        return total;
+    }
+
+    bool takeCore() {
+        int idle = idleCores_;
+        while (idle > 0) {
+            if (idleCores_.compare_exchange_weak(idle, idle - 1)) {
+                return true;
             }
         }
-        Split best;
-        const float nodeArea = std::max(node.box.halfArea(), std::numeric_limits<float>::min());
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto& row = bins[static_cast<std::size_t>(axis)];
-            std::array<float, kBins> rightCost{};
-            Aabb box;
-            std::uint32_t count = 0;
-            for (std::size_t i = kBins - 1; i > 0; --i) {
-                box.add(row[i].box);
-                count += row[i].count;
-                rightCost[i] = box.halfArea() * static_cast<float>(count);
-            }
-            box = {};
-            count = 0;
-            for (std::size_t i = 1; i < kBins; ++i) {
-                box.add(row[i - 1].box);
-                count += row[i - 1].count;
-                if (count == 0 || count == node.count) {
-                    continue;
-                }
-                const float cost = (box.halfArea() * static_cast<float>(count) + rightCost[i]) / nodeArea;
-                if (cost < best.cost) {
-                    best = {axis, static_cast<int>(i), cost};
-                }
-            }
-        }
-        return best;
+        return false;
     }
 
     // Reorders the node's range and returns how many elements go left, at least one and not all.
-    std::uint32_t partition(const BinaryNode& node, const Split& split, const Binning& binning, const Aabb& centroids) {
-        const auto begin = tree_.order.begin() + node.first;
-        const auto end = begin + node.count;
+    [[nodiscard]] static std::uint32_t partition(std::span<Element> range, const Split& split, const Binning& binning,
+                                                 const Aabb& centroids) {
         if (split.axis >= 0) {
-            const auto middle = std::partition(begin, end, [&](std::uint32_t element) {
-                return binning.bin(centroids_[element], split.axis) < split.bin;
+            const auto middle = std::partition(range.begin(), range.end(), [&](const Element& element) {
+                return binning.bin(element.box.center(), split.axis) < split.bin;
             });
-            return static_cast<std::uint32_t>(middle - begin);
+            return static_cast<std::uint32_t>(middle - range.begin());
         }
         // No plane separates the centroids, or medians are asked for: half the elements each, by the widest axis
         const glm::vec3 extent = centroids.extent();
         const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : (extent.y >= extent.z ? 1 : 2);
-        const auto middle = begin + node.count / 2;
-        std::nth_element(begin, middle, end, [&](std::uint32_t a, std::uint32_t b) {
-            const float ca = centroids_[a][axis];
-            const float cb = centroids_[b][axis];
-            return ca < cb || (ca == cb && a < b);
+        const auto half = static_cast<std::uint32_t>(range.size() / 2);
+        std::nth_element(range.begin(), range.begin() + half, range.end(), [&](const Element& a, const Element& b) {
+            const float ca = a.box.center()[axis];
+            const float cb = b.box.center()[axis];
+            return ca < cb || (ca == cb && a.index < b.index);
         });
-        return node.count / 2;
+        return half;
     }
 
-    std::span<const Aabb> boxes_;
     std::uint32_t leafSize_;
     SplitMethod method_;
-    std::vector<glm::vec3> centroids_;
+    std::atomic<int> idleCores_;
+    std::vector<Element> elements_;
     BinaryBvh tree_;
 };
 
