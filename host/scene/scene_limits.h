@@ -33,8 +33,8 @@ inline constexpr std::size_t kLargestMeshFile = std::size_t{2} << 30U;
 // Triangles of one mesh: a BVH leaf keeps the first one's index in 27 bits.
 inline constexpr std::size_t kMostTriangles = std::size_t{1} << 27U;
 
-// Lists and maps within one another in a YAML file; a deeper tree could overrun the stack of a recursive reader. A csg of
-// 32 shapes in which each list of two holds the next takes 70.
+// Lists and maps within one another in a YAML file; a deeper tree could overrun the stack of a recursive reader. A csg
+// of 32 shapes in which each list of two holds the next takes 70.
 inline constexpr std::size_t kDeepestYaml = 128;
 
 // Values in a YAML file with every alias (*name) written out: nine nested aliases would otherwise stand for a billion.
