@@ -7,6 +7,7 @@
 #include "scene/read_materials.h"
 #include "scene/spelling.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -43,7 +44,7 @@ std::vector<Value> readOperands(Reader& reader) {
     return operands;
 }
 
-[[noreturn]] void failNotClosed(const SourceLocation& where, const std::string& what, const std::string& hint) {
+[[noreturn]] void failNotClosed(const SourceLocation& where, const std::string& what, const std::string& hint = {}) {
     throw Error(ExitCode::BadInput, where, what + ": it cannot be part of a csg", hint);
 }
 
@@ -51,15 +52,16 @@ void checkClosedMesh(const SourceLocation& where, const Mesh& mesh) {
     const auto text = [](const glm::vec3& point) {
         return '(' + numberText(point.x) + ", " + numberText(point.y) + ", " + numberText(point.z) + ')';
     };
-    if (mesh.triangles.empty()) {
-        failNotClosed(where, "this mesh has no triangles", "a csg is made of solids");
-    }
     if (const auto edge = findOpenEdge(mesh)) {
         failNotClosed(
             where, "this mesh is open, at the edge from " + text(edge->from) + " to " + text(edge->to) + " of its file",
             "every edge must have a triangle on either side");
     }
-    if (isInsideOut(mesh)) {
+    const double volume = signedVolume(mesh);
+    if (volume == 0) {
+        failNotClosed(where, "this mesh encloses nothing");
+    }
+    if (volume < 0) {
         failNotClosed(where, "this mesh is inside out: the fronts of its triangles face inward",
                       "turn the order of their corners round");
     }
@@ -81,7 +83,14 @@ void checkSolid(const Object& leaf, const Scene& scene) {
         }
     }
     if (const auto* instance = std::get_if<MeshInstance>(&leaf.shape)) {
-        checkClosedMesh(leaf.where, scene.meshes[instance->mesh]);
+        const auto isSame = [&](const Object& earlier) {
+            const auto* other = std::get_if<MeshInstance>(&earlier.shape);
+            return other != nullptr && other->mesh == instance->mesh;
+        };
+        // What is a leaf already has passed
+        if (std::none_of(scene.csgLeaves.begin(), scene.csgLeaves.end(), isSame)) {
+            checkClosedMesh(leaf.where, scene.meshes[instance->mesh]);
+        }
     }
 }
 

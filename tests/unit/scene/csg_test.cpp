@@ -274,6 +274,9 @@ TEST_CASE("shapes without an inside are reported where a csg would need one") {
          .hint = "every edge",
          .mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n"},
         {.marked = with("{type: mesh, file: mesh.obj}"),
+         .what = "this mesh encloses nothing", // a triangle and its back
+         .mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 2\n"},
+        {.marked = with("{type: mesh, file: mesh.obj}"),
          .what = "this mesh is inside out",
          .hint = "order of their corners",
          .mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n"},
