@@ -47,7 +47,7 @@ public:
                      "read are v, vn, vt and f; export the mesh as polygons");
             }
         }
-        return buildMesh(soup_, file_);
+        return buildMesh(std::move(soup_), file_);
     }
 
 private:

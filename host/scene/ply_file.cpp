@@ -147,7 +147,7 @@ Mesh parsePly(std::string_view bytes, const std::string& file) {
             corner.normal = corner.position;
         }
     }
-    return buildMesh(soup, file);
+    return buildMesh(std::move(soup), file);
 }
 
 } // namespace hyalite

@@ -12,24 +12,36 @@
 namespace hyalite {
 namespace {
 
+constexpr glm::vec3 kAnyDirection{0, 0, 1}; // for what is never seen
+
 class MeshBuilder {
 public:
-    MeshBuilder(const PolygonSoup& soup, const std::string& file) : soup_(soup) {
+    MeshBuilder(PolygonSoup soup, const std::string& file) : soup_(std::move(soup)) {
         mesh_.file = file;
-        isSmooth_ = std::any_of(soup.corners.begin(), soup.corners.end(),
-                                [](const Corner& corner) { return corner.normal != kNoNormal; });
+        const auto hasNormal = [](const Corner& corner) { return corner.normal != kNoNormal; };
+        const auto hasOwnNormal = [](const Corner& corner) { return corner.normal == corner.position; };
+        isSmooth_ = std::any_of(soup_.corners.begin(), soup_.corners.end(), hasNormal);
+        normalsMatch_ = isSmooth_ && soup_.normals.size() == soup_.positions.size() &&
+                        std::all_of(soup_.corners.begin(), soup_.corners.end(), hasOwnNormal);
     }
 
     Mesh build() {
-        checkCount();
-        if (!isSmooth_) {
-            mesh_.positions = soup_.positions;
+        // A polygon of n corners makes n - 2 triangles.
+        const std::size_t triangles = soup_.corners.size() - 2 * soup_.polygons.size();
+        checkTriangleCount(triangles, mesh_.file);
+        mesh_.triangles.reserve(triangles);
+        if (normalsMatch_) {
+            makeUnitNormals();
         }
         std::size_t begin = 0;
         for (std::size_t i = 0; i < soup_.polygons.size(); ++i) {
             const Polygon& polygon = soup_.polygons[i];
             addPolygon(i, std::span(soup_.corners).subspan(begin, polygon.end - begin));
             begin = polygon.end;
+        }
+        if (!isSmooth_ || normalsMatch_) {
+            mesh_.positions = std::move(soup_.positions);
+            mendUnusedNormals();
         }
         return std::move(mesh_);
     }
@@ -39,11 +51,6 @@ private:
         const int line = soup_.polygons[polygon].line;
         throw Error(ExitCode::BadInput, SourceLocation{mesh_.file, line, line > 0 ? 1 : 0},
                     "face " + std::to_string(polygon + 1) + ": " + what, hint);
-    }
-
-    void checkCount() const {
-        // A polygon of n corners makes n - 2 triangles.
-        checkTriangleCount(soup_.corners.size() - 2 * soup_.polygons.size(), mesh_.file);
     }
 
     [[nodiscard]] glm::dvec3 position(const Corner& corner) const { return soup_.positions[corner.position]; }
@@ -83,19 +90,37 @@ private:
         }
 
         std::uint32_t flatNormal = kNoNormal; // made when a corner needs it
-        std::vector<std::uint32_t> indices(count);
-        for (std::size_t k = 0; k < count; ++k) {
-            indices[k] = isSmooth_ ? smoothIndex(index, corners[k], area, flatNormal) : corners[k].position;
+        polygon_.clear();
+        for (const Corner& corner : corners) {
+            polygon_.push_back(isSmooth_ ? smoothIndex(index, corner, area, flatNormal) : corner.position);
         }
         for (std::size_t k = 1; k + 1 < count; ++k) {
-            mesh_.triangles.emplace_back(indices[start], indices[(start + k) % count],
-                                         indices[(start + k + 1) % count]);
+            mesh_.triangles.emplace_back(polygon_[start], polygon_[(start + k) % count],
+                                         polygon_[(start + k + 1) % count]);
         }
     }
+
+    // One normal for each position, as in PLY files: no corner needs to be looked up.
+    void makeUnitNormals() {
+        mesh_.normals = std::move(soup_.normals);
+        for (glm::vec3& normal : mesh_.normals) {
+            const double length = glm::length(glm::dvec3(normal));
+            normal = length > 0 ? glm::vec3(glm::dvec3(normal) / length) : glm::vec3(0);
+        }
+    }
+
+    // Zero normals that no polygon uses harm nobody.
+    void mendUnusedNormals() { std::replace(mesh_.normals.begin(), mesh_.normals.end(), glm::vec3(0), kAnyDirection); }
 
     // The mesh's index of a position together with its normal.
     std::uint32_t smoothIndex(std::size_t polygon, const Corner& corner, const glm::dvec3& area,
                               std::uint32_t& flatNormal) {
+        if (normalsMatch_) {
+            if (mesh_.normals[corner.normal] == glm::vec3(0)) {
+                failZeroNormal(polygon);
+            }
+            return corner.position;
+        }
         std::uint32_t normalIndex = corner.normal;
         if (normalIndex == kNoNormal) {
             if (flatNormal == kNoNormal) {
@@ -117,28 +142,33 @@ private:
         const glm::dvec3 normal(soup_.normals[corner.normal]);
         const double length = glm::length(normal);
         if (!(length > 0)) {
-            fail(polygon, "a vertex normal is zero", "export the mesh with valid normals or without any");
+            failZeroNormal(polygon);
         }
         return normal / length;
+    }
+    [[noreturn]] void failZeroNormal(std::size_t polygon) const {
+        fail(polygon, "a vertex normal is zero", "export the mesh with valid normals or without any");
     }
 
     // A polygon without area is never hit: any direction will do.
     [[nodiscard]] static glm::vec3 flatDirection(const glm::dvec3& area) {
         const double length = glm::length(area);
-        return length > 0 ? glm::vec3(area / length) : glm::vec3(0, 0, 1);
+        return length > 0 ? glm::vec3(area / length) : kAnyDirection;
     }
 
-    const PolygonSoup& soup_;
+    PolygonSoup soup_;
     Mesh mesh_;
     bool isSmooth_ = false;
+    bool normalsMatch_ = false; // every corner's normal has the number of its position
+    std::vector<std::uint32_t> polygon_;
     std::size_t flatPolygons_ = 0;
     std::unordered_map<std::uint64_t, std::uint32_t> indices_;
 };
 
 } // namespace
 
-Mesh buildMesh(const PolygonSoup& soup, const std::string& file) {
-    return MeshBuilder(soup, file).build();
+Mesh buildMesh(PolygonSoup soup, const std::string& file) {
+    return MeshBuilder(std::move(soup), file).build();
 }
 
 void checkTriangleCount(std::size_t count, const std::string& file) {

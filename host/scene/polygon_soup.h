@@ -33,7 +33,7 @@ struct PolygonSoup {
 // position is repeated for each normal it is used with, and polygons without normals in such a mesh stay flat.
 // Throws Error(BadInput) at a polygon that no fan covers (it is not convex), at a zero normal, when there is no
 // polygon and when there are too many.
-[[nodiscard]] Mesh buildMesh(const PolygonSoup& soup, const std::string& file);
+[[nodiscard]] Mesh buildMesh(PolygonSoup soup, const std::string& file);
 
 // Throws Error(BadInput) when a mesh of so many triangles is empty or too large.
 void checkTriangleCount(std::size_t count, const std::string& file);

@@ -126,6 +126,21 @@ TEST_CASE("PLY vertex normals become unit normals of the same vertices") {
     CHECK(mesh.normals[mesh.triangles[0].z] == glm::vec3(0, -1, 0));
 }
 
+TEST_CASE("a zero normal of a PLY vertex is an error where a face uses it, and only there") {
+    const auto mesh = [](const std::string& face) {
+        return "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+               "property float nx\nproperty float ny\nproperty float nz\nelement face 1\n"
+               "property list uchar int vertex_indices\nend_header\n"
+               "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n1 1 0 0 0 0\n" +
+               face;
+    };
+    const Mesh unused = parsePly(mesh("3 0 1 2\n"), "m.ply");
+    for (const glm::vec3& normal : unused.normals) {
+        CHECK(glm::length(normal) == 1);
+    }
+    checkRejected(parsePly, mesh("$3 0 1 3\n"), "face 1: a vertex normal is zero");
+}
+
 TEST_CASE("an arrowhead is cut at its dent, and a worse polygon is refused") {
     // The dent (corner 1) lies inside the triangle of the others: only the diagonal from it lies inside the polygon.
     const Mesh mesh = parseObj("v 0 0 0\nv 0.4 0.4 0\nv 0 2 0\nv -3 0 0\nf 2 3 4 1\n", "dent-first.obj");
