@@ -13,6 +13,7 @@
 #include "scene/yaml_tree.h"
 
 #include <algorithm>
+#include <iterator>
 #include <new>
 
 namespace hyalite {
@@ -33,10 +34,12 @@ void readMaterials(const Value& value, Scene& scene) {
     }
 }
 
-Object readObject(const Value& value, Scene& scene, MeshLibrary& meshes) {
+// The object; several where it shows a mesh file of several parts.
+std::vector<Object> readObject(const Value& value, Scene& scene, MeshLibrary& meshes) {
     Reader reader(value);
     const Value shape = reader.require("shape");
-    Surroundings around{.scene = scene, .meshes = meshes};
+    std::vector<Object> parts;
+    Surroundings around{.scene = scene, .meshes = meshes, .parts = &parts};
     if (const auto transform = reader.find("transform")) {
         around.placement = {readTransform(*transform), transform};
     }
@@ -49,19 +52,23 @@ Object readObject(const Value& value, Scene& scene, MeshLibrary& meshes) {
         emission->readColor(radiance, kRadiance);
     }
     reader.finish();
-    Object object = readShape(shape, around);
-    object.where = reader.where();
-    object.emission = radiance;
-
-    if (emission && !std::holds_alternative<Quad>(object.shape)) {
-        emission->fail("only quads can emit light", "use a quad or a point light");
+    Object whole = readShape(shape, around);
+    if (parts.empty()) {
+        parts.push_back(std::move(whole));
     }
-    // The shapes within a csg have answered for themselves
-    if (!object.material && !emission && !std::holds_alternative<Csg>(object.shape)) {
-        value.fail("this object has neither a material nor an emission",
-                   "for a black object use a diffuse material of albedo 0");
+    for (Object& object : parts) {
+        object.where = reader.where();
+        object.emission = radiance;
+        if (emission && !std::holds_alternative<Quad>(object.shape)) {
+            emission->fail("only quads can emit light", "use a quad or a point light");
+        }
+        // The shapes within a csg have answered for themselves
+        if (!object.material && !emission && !std::holds_alternative<Csg>(object.shape)) {
+            value.fail("this object has neither a material nor an emission",
+                       "for a black object use a diffuse material of albedo 0");
+        }
     }
-    return object;
+    return parts;
 }
 
 // What no single key can break.
@@ -99,7 +106,8 @@ void readScene(const Value& root, const std::filesystem::path& folder, Scene& sc
     }
     MeshLibrary meshes(folder, scene.meshes);
     for (const Value& object : objects.list()) {
-        scene.objects.push_back(readObject(Value(object.node(), object.file(), "object"), scene, meshes));
+        std::vector<Object> parts = readObject(Value(object.node(), object.file(), "object"), scene, meshes);
+        std::move(parts.begin(), parts.end(), std::back_inserter(scene.objects));
     }
     if (scene.objects.empty()) {
         objects.fail("the scene has no objects");

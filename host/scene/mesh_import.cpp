@@ -1,6 +1,7 @@
 // See mesh_import.h. A new format is a parser in a file of its own and a row of kFormats.
 #include "scene/mesh_import.h"
 
+#include "scene/gltf_import.h"
 #include "scene/input_file.h"
 #include "scene/scene_limits.h"
 #include "scene/spelling.h"
@@ -17,16 +18,29 @@ struct Format {
 
 constexpr std::array<Format, 3> kFormats{{{".obj", parseObj}, {".ply", parsePly}, {".stl", parseStl}}};
 
+std::string endingOf(const std::filesystem::path& path) {
+    return lowerCase(path.extension().string());
+}
+
 } // namespace
 
+bool isGltf(const std::filesystem::path& path) {
+    const std::string ending = endingOf(path);
+    return ending == ".gltf" || ending == ".glb";
+}
+
 Mesh importMesh(const std::filesystem::path& path, const SourceLocation& where) {
-    const std::string ending = lowerCase(path.extension().string());
+    if (isGltf(path)) {
+        return mergeParts(importGltf(path, where));
+    }
+    const std::string ending = endingOf(path);
     for (const Format& format : kFormats) {
         if (format.ending == ending) {
             return format.parse(readInputFile(path, kLargestMeshFile, "mesh", where), path.string());
         }
     }
-    throw Error(ExitCode::BadInput, where, "unknown mesh format " + inQuotes(ending), "known: .obj, .ply, .stl");
+    throw Error(ExitCode::BadInput, where, "unknown mesh format " + inQuotes(ending),
+                "known: .obj, .ply, .stl, .gltf, .glb");
 }
 
 } // namespace hyalite

@@ -1,14 +1,23 @@
 // The meshes that a scene names: each is read or made once, however many objects show it.
 #pragma once
 
+#include "scene/gltf_import.h"
 #include "scene/reader.h"
 #include "scene/scene.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 
 namespace hyalite {
+
+// A file of several meshes, each in its place.
+struct MeshParts {
+    std::vector<ImportedMaterial> materials;
+    std::vector<ImportedPart> parts;          // their meshes are those of the scene
+    std::optional<std::size_t> firstMaterial; // in Scene::materials, once somebody has put them there
+};
 
 class MeshLibrary {
 public:
@@ -16,20 +25,30 @@ public:
     MeshLibrary(std::filesystem::path folder, std::vector<Mesh>& meshes)
         : folder_(std::move(folder)), meshes_(&meshes) {}
 
-    // Index of the mesh that the text `file` names. Throws Error(BadInput): a file that cannot be read at the text's
-    // place, a mistake in it at its place in the mesh file.
+    // Index of the mesh that the text `file` names, all its parts in one. Throws Error(BadInput): a file that cannot be
+    // read at the text's place, a mistake in it at its place in the mesh file.
     [[nodiscard]] std::size_t load(const Value& file);
+
+    // The parts of the file; likewise. The reference stays valid.
+    [[nodiscard]] MeshParts& loadParts(const Value& file);
 
     // Index of the teapot of this level (see makeTeapot).
     [[nodiscard]] std::size_t loadTeapot(std::uint32_t level);
 
     [[nodiscard]] const Mesh& at(std::size_t index) const { return (*meshes_)[index]; }
 
+    // Of the mesh in its own space.
+    [[nodiscard]] const Bounds& boundsOf(std::size_t index);
+
 private:
+    [[nodiscard]] std::filesystem::path pathOf(const Value& file) const { return folder_ / file.text(); }
+
     std::filesystem::path folder_;
     std::vector<Mesh>* meshes_;
     std::map<std::filesystem::path, std::size_t> loaded_;
+    std::map<std::filesystem::path, MeshParts> parts_;
     std::map<std::uint32_t, std::size_t> teapots_; // by level
+    std::map<std::size_t, Bounds> bounds_;
 };
 
 } // namespace hyalite

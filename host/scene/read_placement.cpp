@@ -45,16 +45,23 @@ glm::dmat4 placed(const Placement& placement, const glm::dvec3& center, const gl
     return placement.objectToWorld * glm::translate(glm::dmat4(1), center) * glm::dmat4(rotationFromY(axis));
 }
 
-void checkReach(const Reader& reader, const Bounds& world) {
+bool isWithinReach(const Bounds& world) {
     const auto isTooFar = [](double side) {
         return std::isnan(side) || (std::isfinite(side) && !kCoordinate.contains(side));
     };
     for (int axis = 0; axis < 3; ++axis) {
         if (isTooFar(world.low[axis]) || isTooFar(world.high[axis])) {
-            throw Error(ExitCode::BadInput, reader.where(),
-                        "with its transform this shape reaches beyond " + numberText(kLargestLength) + " m",
-                        "scenes are in metres");
+            return false;
         }
+    }
+    return true;
+}
+
+void checkReach(const Reader& reader, const Bounds& world) {
+    if (!isWithinReach(world)) {
+        throw Error(ExitCode::BadInput, reader.where(),
+                    "with its transform this shape reaches beyond " + numberText(kLargestLength) + " m",
+                    "scenes are in metres");
     }
 }
 

@@ -37,6 +37,7 @@ struct Placement {
 
 // The shape must not reach beyond the largest coordinate where it has an end, nor be squashed until its `thinnest`
 // length (object space) is below the smallest. Throw Error(BadInput).
+[[nodiscard]] bool isWithinReach(const Bounds& world);
 void checkReach(const Reader& reader, const Bounds& world);
 void checkThickness(const Placement& placement, double thinnest);
 

@@ -47,6 +47,7 @@ Object readShape(const Value& value, const Surroundings& around) {
     Reader reader(value);
     const auto read = choose<ReadShape>(reader.require("type"), "shape", kShapes);
     Surroundings inner = around;
+    inner.parts = read == readMesh ? around.parts : nullptr; // within a csg a mesh file is one solid
     if (const auto transform = reader.find("transform")) {
         inner.placement = {readTransform(*transform, around.placement.objectToWorld), transform};
     }

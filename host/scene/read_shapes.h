@@ -7,6 +7,7 @@
 #include "scene/scene.h"
 
 #include <optional>
+#include <vector>
 
 namespace hyalite {
 
@@ -17,9 +18,11 @@ struct Surroundings {
     std::optional<std::size_t> cutMaterial = {}; // set where the shape only cuts: goes before its own material
     Scene& scene;                                // for the leaves of a csg
     MeshLibrary& meshes;
+    std::vector<Object>* parts = nullptr; // where a mesh file of several parts puts them; null: they become one mesh
 };
 
-// A shape with its own `transform` and `material` applied; not the object's emission. Throws Error(BadInput).
+// A shape with its own `transform` and `material` applied; not the object's emission. Where `parts` is given and then
+// not empty, it holds all of the shape, and what is returned is of no meaning. Throws Error(BadInput).
 [[nodiscard]] Object readShape(const Value& value, const Surroundings& around);
 
 } // namespace hyalite

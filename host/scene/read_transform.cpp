@@ -15,22 +15,6 @@ namespace {
 constexpr Range kCoordinate{-kLargestLength, kLargestLength};
 constexpr Range kAngle{-1e6, 1e6, true, true, "degrees"};
 
-// Whether the map has an inverse that floats can hold: no direction is shrunk or stretched beyond the range of
-// lengths, and no two axes fall together.
-bool isInvertible(const glm::dmat4& matrix) {
-    const glm::dmat3 linear(matrix);
-    double product = 1;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double stretch = glm::length(linear[axis]);
-        if (!(stretch >= kSmallestLength && stretch <= kLargestLength)) {
-            return false;
-        }
-        product *= stretch;
-    }
-    constexpr double kFlattest = 1e-9; // volume of the unit cube's image over that of a box with the same edges
-    return std::abs(glm::determinant(linear)) >= kFlattest * product;
-}
-
 glm::dmat4 readScale(const Value& value) {
     glm::dvec3 factors(1);
     value.readColor(factors, kCoordinate); // one factor or three
@@ -94,6 +78,20 @@ glm::dmat4 readStep(const Value& item) {
 }
 
 } // namespace
+
+bool isInvertible(const glm::dmat4& matrix) {
+    const glm::dmat3 linear(matrix);
+    double product = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double stretch = glm::length(linear[axis]);
+        if (!(stretch >= kSmallestLength && stretch <= kLargestLength)) {
+            return false;
+        }
+        product *= stretch;
+    }
+    constexpr double kFlattest = 1e-9; // volume of the unit cube's image over that of a box with the same edges
+    return std::abs(glm::determinant(linear)) >= kFlattest * product;
+}
 
 glm::dmat4 readTransform(const Value& value, const glm::dmat4& around) {
     glm::dmat4 matrix(1);
