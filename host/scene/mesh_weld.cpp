@@ -1,5 +1,4 @@
-// See mesh_weld.h. A hash table with linear probing; linear in time, and four to eight bytes a position beside the
-// result.
+// See mesh_weld.h. A hash table with linear probing: linear in time, 8 to 16 bytes a position beside the result.
 #include "scene/mesh_weld.h"
 
 #include <bit>
