@@ -47,7 +47,8 @@ std::size_t decidingLeaf(const CsgTree& tree, const LeafSet& before, const LeafS
     const bool wasInside = tree.contains(before);
     std::optional<std::size_t> firstChanged;
     for (std::size_t leaf = 0; leaf < tree.leaves.size(); ++leaf) {
-        if (!changed[leaf]) {
+        const bool entersSolid = after[leaf] != tree.leaves[leaf].reversed;
+        if (!changed[leaf] || entersSolid == wasInside) { // crossed, and in the same sense as the solid
             continue;
         }
         if (tree.contains(flipped(before, leaf)) != wasInside || tree.contains(flipped(after, leaf)) == wasInside) {
@@ -140,8 +141,10 @@ std::optional<CsgHit> intersectCsg(const Ray& ray, const CsgTree& tree) {
         while (course.ahead[last].leaf != leaf) {
             --last;
         }
-        if (inRange(course.ahead[last].at.t, ray)) {
-            return CsgHit{.at = course.ahead[last].at, .leaf = leaf, .spread = course.ahead[next - 1].at.t - tFirst};
+        CsgHit hit{.at = course.ahead[last].at, .leaf = leaf, .spread = course.ahead[next - 1].at.t - tFirst};
+        hit.at.t = tFirst;
+        if (inRange(tFirst, ray)) {
+            return hit;
         }
     }
     return std::nullopt;

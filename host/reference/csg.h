@@ -52,8 +52,8 @@ struct CsgHit {
 //
 // Crossings count as one place that lie within kPlace * max(t, largest |coordinate| of the ray's origin) behind the
 // first of them: what coincides in the scene is told apart by rounding only, and must not show. The surface met is that
-// of the first leaf whose inside changed there and which decides: flipping it alone before or after the place flips
-// the solid. Of this leaf's crossings in the place it is the last.
+// of the first leaf crossed in the same sense as the solid and which decides: flipping it alone before or after the
+// place flips the solid. Of this leaf's crossings in the place it is the last.
 inline constexpr double kPlace = 0x1p-18;
 [[nodiscard]] std::optional<CsgHit> intersectCsg(const Ray& ray, const CsgTree& tree);
 

@@ -150,16 +150,14 @@ public:
         addHierarchy(boxes, bounded, order);
 
         nextLeaf_ = static_cast<std::uint32_t>(order.size());
-        std::vector<std::uint32_t> trees;
         for (const std::uint32_t object : order) {
-            if (std::holds_alternative<Csg>(scene_.objects[object].shape)) {
-                trees.push_back(object);
-            }
             append(recordOf(scene_.objects[object].shape), scene_.objects[object], lights[object], object,
                    shared::kNone);
         }
-        for (const std::uint32_t tree : trees) {
-            appendLeaves(std::get<Csg>(scene_.objects[tree].shape), tree);
+        for (std::uint32_t i = 0; i < order.size(); ++i) {
+            if (const auto* csg = std::get_if<Csg>(&scene_.objects[order[i]].shape)) {
+                appendLeaves(*csg, i, order[i]);
+            }
         }
         return std::move(table_);
     }
@@ -249,17 +247,18 @@ private:
         return reversed;
     }
 
-    void appendLeaves(const Csg& csg, std::uint32_t object) {
+    void appendLeaves(const Csg& csg, std::uint32_t whole, std::uint32_t sceneObject) {
         const std::vector<bool> reversed = reversedLeaves(csg);
         for (std::size_t i = 0; i < reversed.size(); ++i) {
             const Object& leaf = scene_.csgLeaves[csg.firstLeaf + i];
             const auto* plane = std::get_if<Plane>(&leaf.shape);
             ObjectRecord r = plane != nullptr ? record(halfSpace(*plane)) : recordOf(leaf.shape);
-            r.type |= reversed[i] ? shared::kShapeReversed : 0;
-            append(r, leaf, shared::kNone, object, static_cast<std::uint32_t>(csg.firstLeaf + i));
+            r.type |= shared::kShapeLeaf | (reversed[i] ? shared::kShapeReversed : 0);
+            append(r, leaf, whole, sceneObject, static_cast<std::uint32_t>(csg.firstLeaf + i));
         }
     }
 
+    // `light`: of a leaf of CSG, the device object it is part of.
     void append(ObjectRecord r, const Object& object, std::uint32_t light, std::uint32_t sceneObject,
                 std::uint32_t leaf) {
         const std::uint32_t material = object.material ? static_cast<std::uint32_t>(*object.material) : shared::kNone;

@@ -19,6 +19,7 @@
 namespace hyalite {
 namespace {
 
+constexpr Range kCopies{1, kMostCopies};
 constexpr Range kRadiance{0, kLargestEmission, true, true, "W/(m^2 sr)"};
 
 void checkVersion(const Value& version) {
@@ -34,15 +35,40 @@ void readMaterials(const Value& value, Scene& scene) {
     }
 }
 
-// The object; several where it shows a mesh file of several parts.
-std::vector<Object> readObject(const Value& value, Scene& scene, MeshLibrary& meshes) {
+// Where the copies of an object stand: its own place, moved on by every product of powers of the maps in `repeat`.
+std::vector<glm::dmat4> readRepeat(const Value& value) {
+    std::vector<glm::dmat4> places{glm::dmat4(1)};
+    for (const Value& item : value.list()) {
+        Reader reader(item);
+        std::uint32_t count = 1;
+        reader.required("count", count, kCopies);
+        const glm::dmat4 step = readTransform(reader.require("transform"));
+        reader.finish();
+        if (places.size() * count > kMostCopies) {
+            item.fail("more than " + std::to_string(kMostCopies) + " copies of one object");
+        }
+        std::vector<glm::dmat4> more;
+        glm::dmat4 map(1);
+        for (std::uint32_t i = 0; i < count; ++i, map = step * map) {
+            for (const glm::dmat4& place : places) {
+                more.push_back(map * place);
+            }
+        }
+        places = std::move(more);
+    }
+    return places;
+}
+
+// The object at one place; several where it shows a mesh file of several parts.
+std::vector<Object> readCopy(const Value& value, const glm::dmat4& place, Scene& scene, MeshLibrary& meshes) {
     Reader reader(value);
     const Value shape = reader.require("shape");
     std::vector<Object> parts;
     Surroundings around{.scene = scene, .meshes = meshes, .parts = &parts};
-    if (const auto transform = reader.find("transform")) {
-        around.placement = {readTransform(*transform), transform};
-    }
+    const auto repeat = reader.find("repeat");
+    const auto transform = reader.find("transform");
+    around.placement = {place * (transform ? readTransform(*transform) : glm::dmat4(1)),
+                        transform ? transform : repeat};
     if (const auto name = reader.find("material")) {
         around.material = findMaterial(*name, scene);
     }
@@ -69,6 +95,18 @@ std::vector<Object> readObject(const Value& value, Scene& scene, MeshLibrary& me
         }
     }
     return parts;
+}
+
+// The object and its copies.
+std::vector<Object> readObject(const Value& value, Scene& scene, MeshLibrary& meshes) {
+    Reader reader(value);
+    const auto repeat = reader.find("repeat");
+    std::vector<Object> objects;
+    for (const glm::dmat4& place : repeat ? readRepeat(*repeat) : std::vector{glm::dmat4(1)}) {
+        std::vector<Object> parts = readCopy(value, place, scene, meshes);
+        std::move(parts.begin(), parts.end(), std::back_inserter(objects));
+    }
+    return objects;
 }
 
 // What no single key can break.

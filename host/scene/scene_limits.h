@@ -33,6 +33,9 @@ inline constexpr std::size_t kLargestMeshFile = std::size_t{2} << 30U;
 // Triangles of one mesh: a BVH leaf keeps the first one's index in 27 bits.
 inline constexpr std::size_t kMostTriangles = std::size_t{1} << 27U;
 
+// Copies of one object by `repeat`: each takes about a kilobyte on the way to the device.
+inline constexpr std::uint32_t kMostCopies = 1U << 22U;
+
 // Lists and maps within one another in a YAML file; a deeper tree could overrun the stack of a recursive reader. A csg
 // of 32 shapes in which each list of two holds the next takes 70.
 inline constexpr std::size_t kDeepestYaml = 128;

@@ -18,6 +18,6 @@ void main() {
     vec3 origin = pointOnLight(light, sampleUnit(s, kPhotonOrigin));
     vec2 u = sampleUnit(s, kPhotonDirection);
     vec3 direction = light.type == kLightPoint ? uniformSphere(u) : cosineHemisphere(u, light.normal);
-    args.rays.at[photon] = Ray(origin, kInfinity, direction);
+    args.rays.at[photon] = Ray(origin, kInfinity, direction, 0u);
     args.paths.at[photon] = PhotonPath(light.power / (light.pmf * float(args.count)), photon);
 }

@@ -30,7 +30,7 @@ void main() {
     vec3 wi = toLight / distance;
     vec3 contribution = x.f * arrivingFlux(light, -wi, distance2) * dot(x.normal, wi) / (one ? light.pmf : 1.0);
     if (maxComponent(contribution) > 0.0) { // also false when the light is behind the surface or touches it
-        args.shadowRays.at[i] = Ray(x.position, distance, wi);
+        args.shadowRays.at[i] = Ray(x.position, distance, wi, x.from);
         args.contributions.at[i] = contribution;
     }
 }

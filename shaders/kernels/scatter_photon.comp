@@ -16,8 +16,8 @@ void store(uint slot, Surface s, vec3 direction, vec3 power) {
                                    packUnitVector(s.normal, 12u) | (args.depth << 24u));
 }
 
-void follow(uint i, Surface s, vec3 direction, PhotonPath path, vec3 power) {
-    args.nextRays.at[i] = leaveSurface(s, direction);
+void follow(uint i, Surface s, vec3 direction, bool through, PhotonPath path, vec3 power) {
+    args.nextRays.at[i] = leaveSurface(s, direction, through);
     args.nextPaths.at[i] = PhotonPath(power, path.photon);
     args.alive.at[i] = 1u;
 }
@@ -55,7 +55,7 @@ void main() {
         Interface face = meetInterface(cosIncident, s.front ? 1.0 / material.ior : material.ior);
         bool reflects = roulette.y < face.reflectance;
         follow(i, s, reflects ? reflected(ray.direction, s.normal)
-                              : refracted(ray.direction, s.normal, cosIncident, face), path, path.power);
+                              : refracted(ray.direction, s.normal, cosIncident, face), !reflects, path, path.power);
         return;
     }
     float survival = maxComponent(material.color);
@@ -64,8 +64,8 @@ void main() {
     }
     vec3 power = path.power * material.color / survival;
     if (material.type == kMaterialMirror) {
-        follow(i, s, reflected(ray.direction, s.normal), path, power);
+        follow(i, s, reflected(ray.direction, s.normal), false, path, power);
     } else {
-        follow(i, s, cosineHemisphere(sampleUnit(numbers, photonBounce(vertex)), s.normal), path, power);
+        follow(i, s, cosineHemisphere(sampleUnit(numbers, photonBounce(vertex)), s.normal), false, path, power);
     }
 }

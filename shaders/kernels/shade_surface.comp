@@ -15,11 +15,11 @@ bool worthFollowing(vec3 beta) {
     return args.depth < args.maxDepth && maxComponent(beta) >= args.minWeight && maxComponent(beta) > 0.0;
 }
 
-void follow(uint slot, Surface s, vec3 direction, CameraPath path, vec3 beta, uint samplerSeed) {
+void follow(uint slot, Surface s, vec3 direction, bool through, CameraPath path, vec3 beta, uint samplerSeed) {
     if (!worthFollowing(beta)) {
         return;
     }
-    args.nextRays.at[slot] = leaveSurface(s, direction);
+    args.nextRays.at[slot] = leaveSurface(s, direction, through);
     args.nextPaths.at[slot] = CameraPath(beta, path.pixel, samplerSeed);
     args.alive.at[slot] = 1u;
 }
@@ -31,18 +31,18 @@ void crossDielectric(uint slot, Surface s, vec3 d, CameraPath path, float ior) {
     vec3 transmittedBeta = path.beta * (i.eta * i.eta);
     vec3 reflection = reflected(d, s.normal);
     if (args.split != 0u) {
-        follow(slot, s, reflection, path, path.beta * i.reflectance, hashCombine(path.samplerSeed, 1u));
+        follow(slot, s, reflection, false, path, path.beta * i.reflectance, hashCombine(path.samplerSeed, 1u));
         if (i.reflectance < 1.0) {
-            follow(slot + 1u, s, refracted(d, s.normal, cosIncident, i), path,
+            follow(slot + 1u, s, refracted(d, s.normal, cosIncident, i), true, path,
                    transmittedBeta * (1.0 - i.reflectance), hashCombine(path.samplerSeed, 2u));
         }
         return;
     }
     float choice = sampleUnit(Sampler(path.samplerSeed, args.pass), cameraScatter(args.depth - 1u)).x;
     if (choice < i.reflectance) {
-        follow(slot, s, reflection, path, path.beta, path.samplerSeed);
+        follow(slot, s, reflection, false, path, path.beta, path.samplerSeed);
     } else {
-        follow(slot, s, refracted(d, s.normal, cosIncident, i), path, transmittedBeta, path.samplerSeed);
+        follow(slot, s, refracted(d, s.normal, cosIncident, i), true, path, transmittedBeta, path.samplerSeed);
     }
 }
 
@@ -57,7 +57,7 @@ void main() {
     Hit hit = args.hits.at[id];
     CameraPath path = args.paths.at[id];
     uint result = args.split != 0u ? id : path.pixel;
-    VisiblePoint visible = VisiblePoint(vec3(0.0), 0u, vec3(0.0), path.samplerSeed, vec3(0.0), path.pixel);
+    VisiblePoint visible = VisiblePoint(vec3(0.0), 0u, vec3(0.0), path.samplerSeed, vec3(0.0), path.pixel, 0u);
     vec3 emitted = vec3(0.0);
 
     if (hit.object != kNone) {
@@ -73,8 +73,10 @@ void main() {
                 visible.depth = args.depth;
                 visible.normal = s.normal;
                 visible.f = path.beta * material.color * kInvPi;
+                visible.from = leaving(s, false);
             } else if (material.type == kMaterialMirror) {
-                follow(slot, s, reflected(ray.direction, s.normal), path, path.beta * material.color, path.samplerSeed);
+                follow(slot, s, reflected(ray.direction, s.normal), false, path, path.beta * material.color,
+                       path.samplerSeed);
             } else if (material.type == kMaterialDielectric) {
                 crossDielectric(slot, s, ray.direction, path, material.ior);
             }

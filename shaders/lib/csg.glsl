@@ -3,13 +3,14 @@
 //
 // Crossings that lie within kPlaceLength (relative) of one another are one place: a piece of the solid, or a gap in it,
 // that is thinner than this is not there. So coincident faces give a stable picture: they are crossed together, and
-// what shows is the surface of the first leaf, in the order of the scene file, that decides.
+// what shows, at the first of these crossings, is the surface of the first leaf, in the order of the scene file, that is
+// crossed in the same sense as the solid and decides.
 #ifndef HYALITE_CSG_GLSL
 #define HYALITE_CSG_GLSL
 #include "lib/mesh.glsl"
 #include "lib/solids.glsl"
 
-const float kPlaceLength = 3.814697265625e-6; // 2^-18 of t or of the origin's largest coordinate: a few roundings
+const float kLongStart = 64.0; // lengths of a place that a ray waits for what it knows to come true
 
 // What a leaf's walk along the ray knows.
 struct LeafState {
@@ -17,29 +18,28 @@ struct LeafState {
     uint part;
     int winding;  // how often the ray is inside; analytic shapes: 0 or 1
     int entering; // what the next crossing adds to the winding
+    uint behind;  // part of the crossing before; kNone: not known
 };
 
-// The state after the crossing that `state` is at; `start`: at the beginning of the ray instead.
-LeafState nextCrossing(uint leaf, Ray ray, LeafState state, bool start) {
+// The state after the crossing that `state` is at; `start`: at that parameter of the ray instead.
+LeafState nextCrossing(uint leaf, Ray ray, LeafState state, bool start, float startsAt) {
     ObjectHeader header = objectHeader(leaf);
-    float after = start ? 0.0 : state.t;
+    float after = start ? startsAt : state.t;
     if (isShape(header.type, kShapeMesh)) {
         vec3 o, d;
         toMeshSpace(leaf, ray, o, d);
         MeshCrossing next = nextMeshCrossing(header.root, o, d, after, start ? kNone : state.part, start);
         int winding = start ? next.winding : state.winding + state.entering;
-        return LeafState(next.t, next.triangle, winding, next.entering);
+        return LeafState(next.t, next.triangle, winding, next.entering, kNone);
     }
     Crossings crossings = solidCrossings(leaf, header.type, ray);
     int index = 0;
     while (index < 4 && crossings.t[index] <= after) {
         ++index;
     }
-    if (index == 4) {
-        return LeafState(kInfinity, 0u, 0, 0);
-    }
     bool inside = (index & 1) != 0;
-    return LeafState(crossings.t[index], crossings.part[index], inside ? 1 : 0, inside ? -1 : 1);
+    return LeafState(index < 4 ? crossings.t[index] : kInfinity, index < 4 ? crossings.part[index] : 0u,
+                     inside ? 1 : 0, inside ? -1 : 1, index > 0 ? crossings.part[index - 1] : kNone);
 }
 
 // The tree's value where bit i of `inside` says whether the point is in leaf i.
@@ -60,30 +60,30 @@ bool csgValue(uvec4 program, uint steps, uint inside) {
     return (stack & 1u) != 0u;
 }
 
-// Of the leaves whose bit changed at a place, the first that decides: whose change alone turns the value.
-uint decidingLeaf(uvec4 program, uint steps, uint before, uint after, bool valueBefore) {
-    uint changed = before ^ after;
-    uint first = uint(findLSB(changed));
-    for (uint rest = changed; rest != 0u; rest &= rest - 1u) {
+// The first of the candidates whose bit alone turns the value before or after a place; if none does, the first.
+uint decidingLeaf(uvec4 program, uint steps, uint candidates, uint before, uint after) {
+    bool valueBefore = csgValue(program, steps, before);
+    bool valueAfter = csgValue(program, steps, after);
+    for (uint rest = candidates; rest != 0u; rest &= rest - 1u) {
         uint leaf = uint(findLSB(rest));
         uint bit = 1u << leaf;
         if (csgValue(program, steps, before ^ bit) != valueBefore ||
-            csgValue(program, steps, after ^ bit) == valueBefore) {
+            csgValue(program, steps, after ^ bit) != valueAfter) {
             return leaf;
         }
     }
-    return first;
+    return uint(findLSB(candidates));
 }
 
-void reportCrossing(uint leaf, vec2 crossing, Ray ray, inout Hit hit) {
-    if (!(crossing.x < hit.t)) {
+void reportSurface(uint leaf, float t, uint part, bool enters, Ray ray, inout Hit hit) {
+    if (!(t < hit.t)) {
         return;
     }
-    hit = Hit(crossing.x, leaf, floatBitsToUint(crossing.y), vec2(0.0));
+    hit = Hit(max(t, kTiny), leaf, part | (enters ? kHitEnters : 0u), vec2(0.0));
     if (isShape(objectHeader(leaf).type, kShapeMesh)) {
         vec3 o, d;
         toMeshSpace(leaf, ray, o, d);
-        hit.uv = triangleCoordinates(o, d, hit.primitive);
+        hit.uv = triangleCoordinates(o, d, part);
     }
 }
 
@@ -92,27 +92,33 @@ void traceCsg(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
     uvec4 program = texelFetch(nodeTable, int(header.root));
     uint steps = 2u * leaves.y - 1u;
     LeafState states[kMaxCsgLeaves];
-    vec2 crossed[kMaxCsgLeaves]; // (t, part as bits) of each leaf's last crossing
+    uint crossed[kMaxCsgLeaves]; // part of each leaf's last crossing
+    uint reversed = 0u;          // bits of the leaves whose inside is outside the solid
 
     uint inside = 0u;
     bool starting = true;
     uint before = 0u; // inside bits and value ahead of the place
     bool valueBefore = false;
-    float placeEnd = 0.0;
-    float lengthAtOrigin = maxComponent(abs(ray.origin));
+    // A ray that leaves this object starts within a place, and knows the value before it
+    Start start = startAt(object, ray.from);
+    float around = startLength(ray.origin);
+    float placeStart = 0.0;
+    float placeEnd = start.known ? around : 0.0;
     uint leaf = 0u;
     while (true) {
-        LeafState state = nextCrossing(leaves.x + leaf, ray, states[leaf], starting);
+        LeafState state = nextCrossing(leaves.x + leaf, ray, states[leaf], starting, start.known ? -around : 0.0);
         states[leaf] = state;
         uint bit = 1u << leaf;
         inside = state.winding != 0 ? inside | bit : inside & ~bit;
-        if (starting && ++leaf < leaves.y) {
-            continue;
-        }
         if (starting) {
+            crossed[leaf] = state.behind;
+            reversed |= (objectHeader(leaves.x + leaf).type & kShapeReversed) != 0u ? bit : 0u;
+            if (++leaf < leaves.y) {
+                continue;
+            }
             starting = false;
             before = inside;
-            valueBefore = csgValue(program, steps, inside);
+            valueBefore = start.known ? start.inside : csgValue(program, steps, inside);
         }
 
         float t = kInfinity;
@@ -122,19 +128,30 @@ void traceCsg(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
                 leaf = i;
             }
         }
-        if (t > placeEnd) { // the place is complete
-            if (inside != before && csgValue(program, steps, inside) != valueBefore) {
-                uint surface = decidingLeaf(program, steps, before, inside, valueBefore);
-                reportCrossing(leaves.x + surface, crossed[surface], ray, hit);
-                return;
+        // What the ray knows may come true a little farther on than its start
+        bool waits = start.known && placeStart == 0.0 && t <= kLongStart * around &&
+                     csgValue(program, steps, inside) != start.inside;
+        if (t > placeEnd && !waits) { // the place is complete
+            bool value = csgValue(program, steps, inside);
+            if (value != valueBefore) {
+                // Where nothing was crossed, the leaf that alone explains it: the ray slips out along its surface
+                uint candidates = before != inside ? before ^ inside : ~0u >> (kMaxCsgLeaves - leaves.y);
+                candidates &= (value ? inside : ~inside) ^ reversed; // those crossed in the same sense as the solid
+                uint surface = decidingLeaf(program, steps, candidates, before, inside);
+                if (candidates != 0u && crossed[surface] != kNone) {
+                    reportSurface(leaves.x + surface, placeStart, crossed[surface], value, ray, hit);
+                    return;
+                }
             }
             if (t >= hit.t) {
                 return;
             }
             before = inside;
-            placeEnd = t + kPlaceLength * max(t, lengthAtOrigin);
+            valueBefore = value;
+            placeStart = t;
+            placeEnd = t + max(kPlaceLength * t, around);
         }
-        crossed[leaf] = vec2(t, uintBitsToFloat(states[leaf].part));
+        crossed[leaf] = states[leaf].part;
     }
 }
 #endif

@@ -7,6 +7,7 @@
 const float kPi = 3.14159265358979;
 const float kInvPi = 0.318309886183791;
 const float kInfinity = 3.0e38; // longer than any ray; finite, so that products with zero stay zero
+const float kTiny = 1.0e-30;    // greater than zero, less than any length
 const float kEndless = 1.0e28;  // what is farther away than this is the far end of a shape that has none
 
 // (sin x, cos x) for |x| <= pi/4: Taylor series, error below 1 ulp of 1.

@@ -94,7 +94,7 @@ struct MeshCrossing {
     float t; // kInfinity: none
     uint triangle;
     int entering; // 1, or -1 where it leaves
-    int winding;  // with `count`: triangles left minus triangles entered at t > 0
+    int winding;  // with `count`: triangles left minus triangles entered from there on
 };
 
 // The first crossing after (after, afterTriangle), in the order of t and then of the triangles' numbers.
@@ -120,13 +120,13 @@ MeshCrossing nextMeshCrossing(uint root, vec3 o, vec3 d, float after, uint after
             bool b = isPositive(dot(e.edgeB, d), e.edgeB);
             bool c = isPositive(dot(e.edgeC, d), e.edgeC);
             float t = dot(e.normal, e.a) / dot(e.normal, d);
-            if (a != b || b != c || !(t > 0.0 && t < kEndless)) {
+            bool later = t > after || (t == after && afterTriangle != kNone && triangle > afterTriangle);
+            if (a != b || b != c || !later || t >= kEndless) {
                 continue;
             }
             int entering = a ? 1 : -1;
             next.winding -= entering;
-            bool later = t > after || (t == after && triangle > afterTriangle && afterTriangle != kNone);
-            if (later && (t < next.t || (t == next.t && triangle < next.triangle))) {
+            if (t < next.t || (t == next.t && triangle < next.triangle)) {
                 next = MeshCrossing(t, triangle, entering, next.winding);
             }
         }

@@ -52,6 +52,16 @@ struct FormRoots {
     bool between;
 };
 
+// One step of Newton's method: where the form changes fast, the roots of its restriction to the line are not as right
+// as the form itself. Near a double root they are, and the step is not taken.
+float polishedRoot(QuadricForm form, vec3 p, vec3 d, float t, float apart) {
+    vec3 x = p + t * d;
+    vec3 halfGradient = timesSymmetric(form.diagonal, form.offDiagonal, x) + form.linear;
+    float q = dot(x, halfGradient + form.linear) + form.constant;
+    float polished = t - q / (2.0 * dot(halfGradient, d));
+    return abs(polished - t) < 0.0625 * apart ? polished : t;
+}
+
 FormRoots formRoots(QuadricForm form, vec3 p, vec3 d) {
     vec3 Ad = timesSymmetric(form.diagonal, form.offDiagonal, d);
     float A = dot(d, Ad);
@@ -78,7 +88,9 @@ FormRoots formRoots(QuadricForm form, vec3 p, vec3 d) {
     float q = B > 0.0 ? -B - root : root - B;
     float other = q == 0.0 ? 0.0 : C / q;
     float first = A == 0.0 ? (q < 0.0 ? -kInfinity : kInfinity) : clamp(q / A, -kInfinity, kInfinity);
-    return FormRoots(vec2(min(first, other), max(first, other)) + toVertex, A >= 0.0);
+    vec2 roots = vec2(min(first, other), max(first, other));
+    roots = vec2(polishedRoot(form, p, d, roots.x, roots.y - roots.x), polishedRoot(form, p, d, roots.y, roots.y - roots.x));
+    return FormRoots(roots + toVertex, A >= 0.0);
 }
 
 // Appends [from, to] unless it is empty.

@@ -6,13 +6,15 @@
 void traceObject(uint object, Ray ray, bool any, inout Hit hit) {
     ObjectHeader header = objectHeader(object);
     if (isShape(header.type, kShapeSphere)) {
-        if (intersectSphere(ray.origin, ray.direction, objectTexel(object, 0u), hit.t)) {
+        Start start = startAt(object, ray.from);
+        if (intersectSphere(ray.origin, ray.direction, objectTexel(object, 0u), start, hit.t)) {
             hit = Hit(hit.t, object, 0u, vec2(0.0));
         }
     } else if (isShape(header.type, kShapeQuad) || isShape(header.type, kShapeDisk) ||
                isShape(header.type, kShapePlane)) {
-        vec2 uv;
-        if (intersectFlat(header.type, ray.origin, ray.direction, objectTexel(object, 0u), objectTexel(object, 1u),
+        vec2 uv; // a ray that leaves a plane never meets it again
+        if (!startAt(object, ray.from).known &&
+            intersectFlat(header.type, ray.origin, ray.direction, objectTexel(object, 0u), objectTexel(object, 1u),
                           objectTexel(object, 2u), hit.t, uv)) {
             hit = Hit(hit.t, object, 0u, uv);
         }
@@ -23,12 +25,7 @@ void traceObject(uint object, Ray ray, bool any, inout Hit hit) {
     } else if (isShape(header.type, kShapeCsg)) {
         traceCsg(object, header, ray, hit);
     } else if (sceneHas(kShapeQuadric) || sceneHas(kShapeTorus)) {
-        Crossings crossings = solidCrossings(object, header.type, ray);
-        for (int i = 3; i >= 0; --i) {
-            if (crossings.t[i] > 0.0 && crossings.t[i] < hit.t) {
-                hit = Hit(crossings.t[i], object, crossings.part[i], vec2(0.0));
-            }
-        }
+        intersectSolid(object, header.type, ray, hit);
     }
 }
 

@@ -1,36 +1,48 @@
 // Ray against a sphere or a flat shape. `d` is unit.
 #ifndef HYALITE_SHAPES_GLSL
 #define HYALITE_SHAPES_GLSL
+#include "shared/path_records.h"
+#include "lib/math.glsl"
 #include "lib/specialization.glsl"
 #include "lib/tables.glsl"
 
-// Both roots, in order. The discriminant is taken from the distance of centre and line, and the nearer root from the
+// What a ray knows of an object it may be leaving.
+struct Start {
+    bool known;  // it leaves this object
+    bool inside; // and runs inside it
+};
+
+Start startAt(uint object, uint from) {
+    return Start((from & ~kRayInside) == 1u + object, (from & kRayInside) != 0u);
+}
+
+// Both roots, in order; from inside there are always two. The discriminant is taken from the distance of centre and line, and the nearer root from the
 // product of both, so neither loses digits far away or on the surface [Haines19].
-bool sphereRoots(vec3 o, vec3 d, vec4 sphere, out vec2 t) {
+bool sphereRoots(vec3 o, vec3 d, vec4 sphere, bool isInside, out vec2 t) {
     vec3 fromCenter = o - sphere.xyz;
     float radius = sphere.w;
     float b = dot(fromCenter, d);
     vec3 offLine = fromCenter - b * d;
     float discriminant = radius * radius - dot(offLine, offLine);
-    if (discriminant < 0.0) {
+    if (discriminant < 0.0 && !isInside) {
         return false;
     }
     float distance = length(fromCenter);
     float c = (distance - radius) * (distance + radius);
-    float root = sqrt(discriminant);
+    float root = sqrt(max(discriminant, 0.0));
     float q = b > 0.0 ? -b - root : root - b;
     float t0 = q == 0.0 ? 0.0 : c / q;
     t = vec2(min(t0, q), max(t0, q));
     return true;
 }
 
-// The nearest t in (0, tMax); lowers tMax to it.
-bool intersectSphere(vec3 o, vec3 d, vec4 sphere, inout float tMax) {
+// The nearest t in (0, tMax); lowers tMax to it. A ray that leaves the sphere meets it again at the farther root or never.
+bool intersectSphere(vec3 o, vec3 d, vec4 sphere, Start start, inout float tMax) {
     vec2 roots;
-    if (!sphereRoots(o, d, sphere, roots)) {
+    if ((start.known && !start.inside) || !sphereRoots(o, d, sphere, start.known, roots)) {
         return false;
     }
-    float t = roots.x > 0.0 ? roots.x : roots.y;
+    float t = start.known ? max(roots.y, kTiny) : roots.x > 0.0 ? roots.x : roots.y;
     if (!(t > 0.0 && t < tMax)) {
         return false;
     }

@@ -1,6 +1,7 @@
 // What a path needs to know of the point it hit.
 #ifndef HYALITE_SURFACE_GLSL
 #define HYALITE_SURFACE_GLSL
+#include "shared/limits.h"
 #include "shared/path_records.h"
 #include "lib/quadric.glsl"
 #include "lib/specialization.glsl"
@@ -11,6 +12,7 @@ struct Surface {
     vec3 normal;          // likewise, smoothed where a mesh has normals
     float error;          // bound on the error of position [m]
     bool front;           // the ray came from outside; on flat shapes, from the side the normal is on
+    uint object;          // of CSG the whole, not the leaf
     uint material;
     uint light;
 };
@@ -29,7 +31,6 @@ const float kPlaneError = 5.9604644775390625e-7; // 10 * 2^-24
 // Points of quadrics and tori: the map to their space, the form there and back, and the same once more for the next ray.
 const float kFormError = 9.5367431640625e-7; // 2^-20
 const float kLargestError = 0.0009765625;    // 2^-10 of the distance to the centre
-const float kTiny = 1.0e-30;
 
 float largestCoordinate(vec3 p) {
     return maxComponent(abs(p));
@@ -142,9 +143,13 @@ vec3 placeOnTriangle(Hit hit, NormalArray normals, InstanceArray instances, inou
 Surface surfaceAt(Ray ray, Hit hit, NormalArray normals, InstanceArray instances) {
     ObjectHeader header = objectHeader(hit.object);
     Surface s;
+    bool isLeaf = sceneHas(kShapeCsg) && (header.type & kShapeLeaf) != 0u;
+    s.object = isLeaf ? header.light : hit.object;
     s.material = header.material;
-    s.light = header.light;
+    s.light = isLeaf ? kNone : header.light;
     vec3 p = ray.origin + hit.t * ray.direction;
+    bool enters = isLeaf && (hit.primitive & kHitEnters) != 0u;
+    hit.primitive &= ~kHitEnters;
     vec3 outward;
     if (isShape(header.type, kShapeMesh)) {
         outward = placeOnTriangle(hit, normals, instances, s);
@@ -160,19 +165,30 @@ Surface surfaceAt(Ray ray, Hit hit, NormalArray normals, InstanceArray instances
         }
         s.normal = outward;
     }
-    if (sceneHas(kShapeCsg) && (header.type & kShapeReversed) != 0u) {
+    if (isLeaf) {
+        // Where the ray met the solid, not where it would have met this leaf: at an edge the two differ by a place (see
+        // csg.glsl). No error: a ray that leaves a solid knows on which side it starts
+        s.position = p;
+        s.error = 0.0;
+    }
+    if (isLeaf && (header.type & kShapeReversed) != 0u) {
         outward = -outward;
         s.normal = -s.normal;
     }
-    s.front = dot(ray.direction, outward) < 0.0;
+    s.front = isLeaf ? enters : dot(ray.direction, outward) < 0.0; // of CSG the walk knows, however the ray grazes
     s.geometricNormal = s.front ? outward : -outward;
     s.normal = s.front ? s.normal : -s.normal;
     return s;
 }
 
+// What a ray that leaves the surface knows of it; `through`: to the side where the arriving ray was not.
+uint leaving(Surface s, bool through) {
+    return (1u + s.object) | (s.front == through ? kRayInside : 0u);
+}
+
 // A ray from the surface in `direction`, moved off it to the side it goes to by what the position may be wrong.
-Ray leaveSurface(Surface s, vec3 direction) {
+Ray leaveSurface(Surface s, vec3 direction, bool through) {
     float side = dot(direction, s.geometricNormal) < 0.0 ? -1.0 : 1.0;
-    return Ray(s.position + (side * s.error) * s.geometricNormal, kInfinity, direction);
+    return Ray(s.position + (side * s.error) * s.geometricNormal, kInfinity, direction, leaving(s, through));
 }
 #endif

@@ -8,16 +8,23 @@ struct Ray {
     vec3 origin;    // world [m], already moved off the surface it leaves
     float tMax;     // the ray ends here; in units of |direction|
     vec3 direction; // unit
+    uint from;      // 0: it leaves no object; else 1 + the object it leaves, and kRayInside where it runs inside that
 };
 DEVICE_ARRAY(Ray, RayArray);
+
+// What a ray knows of the object it leaves decides where rounding cannot: at an edge, a point moved off one surface by
+// its error may still be on the wrong side of the other.
+SHARED_CONSTANT kRayInside = 0x80000000u;
 
 struct Hit {
     float t;        // distance along the ray [m]
     uint object;    // kNone: nothing was hit; of a CSG object, the leaf whose surface it is
-    uint primitive; // mesh: triangle of the triangle table; quadric: part, see kPartForm; 0 for other shapes
-    vec2 uv;        // flat shapes: coordinates in the plane; triangle: barycentric of its second and third corner
+    uint primitive; // mesh: triangle of the triangle table; quadric: part, see kPartForm; 0 for other shapes. Of CSG
+                    // with kHitEnters where the ray enters the solid
+    vec2 uv; // flat shapes: coordinates in the plane; triangle: barycentric of its second and third corner
 };
 DEVICE_ARRAY(Hit, HitArray);
+SHARED_CONSTANT kHitEnters = 0x80000000u;
 
 // The state of a camera path that has not yet met a diffuse surface.
 struct CameraPath {
@@ -35,6 +42,7 @@ struct VisiblePoint {
     uint samplerSeed;
     vec3 f; // path throughput times the BRDF albedo / pi [1/sr]
     uint pixel;
+    uint from; // see Ray
 };
 DEVICE_ARRAY(VisiblePoint, VisiblePointArray);
 

@@ -50,8 +50,8 @@ DEVICE_ARRAY(LightRecord, LightArray);
 //                u = U.p + u0, v = V.p + v0; a quad is [0, 1]^2, a disk the unit circle, a plane has no rim
 //   mesh:        0 1 2 rows of the 3x4 matrix from world to object space; root: node of its hierarchy
 //   quadric:     0 1 2 rows (L, c) of the map from world to the space of the form, p -> L (p - c); with the form
-//                a x^2 + 2b xy + 2c xz + 2d x + e y^2 + 2f yz + 2g y + h z^2 + 2i z + j and the box lo, hi in that space:
-//                4 (a, e, h, j)  5 (b, c, f, lo.x)  6 (d, g, i, hi.x)  7 (lo.y, hi.y, lo.z, hi.z)
+//                a x^2 + 2b xy + 2c xz + 2d x + e y^2 + 2f yz + 2g y + h z^2 + 2i z + j and the box lo, hi in that
+//                space: 4 (a, e, h, j)  5 (b, c, f, lo.x)  6 (d, g, i, hi.x)  7 (lo.y, hi.y, lo.z, hi.z)
 //   torus:       0 1 2 likewise  4 (major, minor, -, -)
 //   csg:         0 (first leaf, leaf count, -, -) as bits; root: texel of the node table that holds its program
 // Leaves of CSG are objects of their own, behind those that rays look for.
@@ -67,6 +67,7 @@ SHARED_CONSTANT kShapeCsg = 7u;
 SHARED_CONSTANT kShapeTypeMask = 0xffu;
 SHARED_CONSTANT kShapeOpen = 0x100u;     // quadric: its box cuts the surface and does not close it
 SHARED_CONSTANT kShapeReversed = 0x200u; // leaf of CSG: what is inside it is outside the solid
+SHARED_CONSTANT kShapeLeaf = 0x400u;     // leaf of CSG: in place of a light, the header names the object it is part of
 
 // What a quadric's Hit.primitive says: the form's own surface, or 1 + 2 * axis + (1 on the high side) for a face of its
 // box.

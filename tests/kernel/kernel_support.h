@@ -49,7 +49,7 @@ struct BothSides {
 };
 
 inline shared::Ray toDevice(const reference::Ray& ray) {
-    return {ray.origin, std::isfinite(ray.tMax) ? static_cast<float>(ray.tMax) : 3e38F, ray.direction};
+    return {ray.origin, std::isfinite(ray.tMax) ? static_cast<float>(ray.tMax) : 3e38F, ray.direction, 0};
 }
 
 // What the device's ray says exactly, so that both sides start from the same numbers.

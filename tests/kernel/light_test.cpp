@@ -23,7 +23,7 @@ TEST_CASE("light sampling sends the reference's contribution along the reference
     const std::uint32_t count = 20000;
     std::vector<shared::VisiblePoint> points(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-        points[i] = {random.inCube(0.9), i % 13, random.direction(), shared::hash(i), vec3(0.3, 0.2, 0.1), i};
+        points[i] = {random.inCube(0.9), i % 13, random.direction(), shared::hash(i), vec3(0.3, 0.2, 0.1), i, 0};
     }
     const auto devicePoints = both.upload(points);
     const auto rays = both.room<shared::Ray>(count);

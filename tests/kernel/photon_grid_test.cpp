@@ -106,7 +106,7 @@ TEST_CASE("gathering meets every photon of the disc once, also where cells share
                 const bool atPhoton = !set.positions.empty() && i % 2 == 0;
                 const dvec3 near = atPhoton ? dvec3(set.positions[i % set.positions.size()]) : random.inCube(1);
                 points[i] = {
-                    vec3(near + 0.5 * random.inCube(radius) * dvec3(1, 1, 0.1)), 1, vec3(0, 0, 1), 0, vec3(1), i};
+                    vec3(near + 0.5 * random.inCube(radius) * dvec3(1, 1, 0.1)), 1, vec3(0, 0, 1), 0, vec3(1), i, 0};
             }
             const auto devicePoints = both.upload(points);
             const auto gathered = both.room<vec3>(count);
@@ -141,7 +141,7 @@ TEST_CASE("photons of another surface, another side or too long a path are not g
         const auto photons = both.upload(std::vector{photon});
         grid.build(both.device, photons, 1, radius);
         const auto points =
-            both.upload(std::vector<shared::VisiblePoint>{{vec3(0), depth, vec3(0, 0, 1), 0, vec3(0.5), 0}});
+            both.upload(std::vector<shared::VisiblePoint>{{vec3(0), depth, vec3(0, 0, 1), 0, vec3(0.5), 0, 0}});
         const auto gathered = both.room<vec3>(1);
         both.run(
             "gather_radiance",

@@ -148,7 +148,7 @@ TEST_CASE("a ray in glass beyond the critical angle is totally reflected") {
     // From (0, sin 60, 0) along x the ray meets the sphere at (cos 60, sin 60, 0); n = -(cos 60, sin 60, 0):
     // d - 2 (n.d) n = (1, 0) - 2 * 0.5 * (0.5, sin 60) = (0.5, -sin 60)
     const double s = std::sqrt(3.0) / 2;
-    const std::vector<shared::Ray> rays{{vec3(0, s, 0), 3e38F, vec3(1, 0, 0)}};
+    const std::vector<shared::Ray> rays{{vec3(0, s, 0), 3e38F, vec3(1, 0, 0), 0}};
     const Bounce b = shade(both, rays, {{vec3(1), 0, 1}}, 1, 0, 1);
     REQUIRE(b.alive.host()[0] == 1);
     CHECK(b.alive.host()[1] == 0); // nothing is refracted
@@ -190,7 +190,7 @@ TEST_CASE("a ray that leaves a quad or a sphere does not hit it again at once") 
         const auto* sphere = std::get_if<Sphere>(&shape);
         const bool withinBall = sphere != nullptr && glm::dot(dvec3(x.position) - sphere->center, outward) < 0;
         if (!inside && !withinBall) {
-            leaving.push_back({x.position, 3e38F, direction});
+            leaving.push_back({x.position, 3e38F, direction, x.from});
             from.push_back(b.hits.host()[i].object);
         }
     }

@@ -64,8 +64,8 @@ TEST_CASE("rays through the hierarchies of objects and meshes hit what they hit 
 TEST_CASE("a ray that misses every object says so") {
     BothSides both(reference::test::cornellBox());
     // Away from the box, beside it, and towards it but too short
-    const auto hits =
-        trace(both, {{{0, 0, 3}, 3e38F, {0, 0, 1}}, {{5, 0, 3}, 3e38F, {0, 0, -1}}, {{0, 0, 3}, 3.9F, {0, 0, -1}}});
+    const auto hits = trace(
+        both, {{{0, 0, 3}, 3e38F, {0, 0, 1}, 0}, {{5, 0, 3}, 3e38F, {0, 0, -1}, 0}, {{0, 0, 3}, 3.9F, {0, 0, -1}, 0}});
     for (const shared::Hit& hit : hits) {
         CHECK(hit.object == shared::kNone);
     }
@@ -127,10 +127,10 @@ TEST_CASE("shadow rays are blocked where they are in the reference") {
         const vec3 from = random.inCube(0.95);
         const vec3 to = random.inCube(0.95);
         const vec3 along = to - from;
-        rays.push_back({from, glm::length(along), glm::normalize(along)});
+        rays.push_back({from, glm::length(along), glm::normalize(along), 0});
         visible.push_back(reference::traceShadow(both.world, from, to));
     }
-    rays.push_back({vec3(0), 0, vec3(0, 1, 0)}); // nothing to trace, nothing to add
+    rays.push_back({vec3(0), 0, vec3(0, 1, 0), 0}); // nothing to trace, nothing to add
     const auto deviceRays = both.upload(rays);
     const auto contributions = both.upload(std::vector<vec3>(count + 1, vec3(1, 2, 3)));
     const auto direct = both.upload(std::vector<vec3>(count + 1, vec3(10)));

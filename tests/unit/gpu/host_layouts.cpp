@@ -31,10 +31,10 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(MaterialRecord, type, color, ior);
     HOST_LAYOUT(LightRecord, type, position, edge0, edge1, normal, area, emission, power, pmf, cdf);
     HOST_LAYOUT(InstanceRecord, row0, row1, row2);
-    HOST_LAYOUT(Ray, origin, tMax, direction);
+    HOST_LAYOUT(Ray, origin, tMax, direction, from);
     HOST_LAYOUT(Hit, t, object, primitive, uv);
     HOST_LAYOUT(CameraPath, beta, pixel, samplerSeed);
-    HOST_LAYOUT(VisiblePoint, position, depth, normal, samplerSeed, f, pixel);
+    HOST_LAYOUT(VisiblePoint, position, depth, normal, samplerSeed, f, pixel, from);
     HOST_LAYOUT(PhotonPath, power, photon);
     HOST_LAYOUT(Photon, position, direction, power, surface);
     HOST_LAYOUT(GridRecord, inverseCellSize, bucketMask);

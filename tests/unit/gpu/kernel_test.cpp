@@ -67,9 +67,9 @@ TEST_CASE("reflection reads sizes, members, strides and specialization constants
     CHECK(members[4].name == "colors");
     CHECK(members[4].offset == 28);
     CHECK(members[4].size == 24);
-    // Ray: two vec3 and a float.
-    CHECK(interface.arrayStrides == std::map<std::string, std::uint32_t>{{"Ray", 28}});
-    CHECK(interface.structs.at("Ray").size() == 3);
+    // Ray: two vec3, a float and an integer.
+    CHECK(interface.arrayStrides == std::map<std::string, std::uint32_t>{{"Ray", 32}});
+    CHECK(interface.structs.at("Ray").size() == 4);
 }
 
 TEST_CASE("specialization constants keep their defaults unless named", "[kernel]") {

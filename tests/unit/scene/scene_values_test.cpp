@@ -280,3 +280,25 @@ objects:
     CHECK(first.objectToWorld == glm::dmat4(1));
     checkNear(glm::dvec3(second.objectToWorld * glm::dvec4(1, 2, 3, 1)), {1, 2, 10});
 }
+
+TEST_CASE("a repetition makes every combination of its steps, after the object's own transform") {
+    TemporaryFolder folder;
+    const Scene scene = loadScene(folder.write("scene.yaml", R"(
+hyalite: 1
+materials: {gray: {type: diffuse}}
+lights: [{type: point, position: [0, 0, 0]}]
+objects:
+  - shape: {type: sphere, radius: 1}
+    material: gray
+    transform: [{translate: [1, 0, 0]}]
+    repeat: [{count: 3, transform: [{scale: 2}]}, {count: 2, transform: [{translate: [0, 5, 0]}]}]
+)"));
+    // Moved by 1, then scaled by 1, 2 and 4 about the origin; then all three again 5 higher
+    REQUIRE(scene.objects.size() == 6);
+    for (std::size_t i = 0; i < 6; ++i) {
+        const double scale = i % 3 == 0 ? 1 : i % 3 == 1 ? 2 : 4;
+        const auto& sphere = std::get<Sphere>(scene.objects[i].shape);
+        CHECK(sphere.radius == scale);
+        checkNear(sphere.center, {scale, i < 3 ? 0 : 5, 0});
+    }
+}

@@ -153,3 +153,18 @@ TEST_CASE("the smallest shapes are accepted, turned or not") {
           1);
     CHECK(loadWithShape("{type: sphere, radius: 1e-9}", "[{scale: [1, 2, 3]}]").objects.size() == 1);
 }
+
+TEST_CASE("mistakes in repetitions are reported at the key") {
+    const auto repeated = [](const std::string& repeat) {
+        return withObject("{material: gray, shape: {type: sphere, radius: 1}, repeat: " + repeat + "}");
+    };
+    checkAll({
+        {repeated("$3"), "must be a list"},
+        {repeated("[${count: 3}]"), "missing key 'transform'"},
+        {repeated("[${transform: []}]"), "missing key 'count'"},
+        {repeated("[{count: $0, transform: []}]"), "'count' must be in [1, 4194304]"},
+        {repeated("[{count: 2, transform: [{scale: $0}]}]"), "singular"},
+        {repeated("[{count: 4000, transform: []}, ${count: 4000, transform: []}]"), "more than 4194304 copies"},
+        {repeated("[{count: 2, transform: [], $times: 3}]"), "unknown key 'times'"},
+    });
+}
