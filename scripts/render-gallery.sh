@@ -1,0 +1,29 @@
+#!/bin/sh
+# Renders the pictures of the README's gallery into docs/gallery: each takes less than a minute on two cores.
+#   scripts/render-gallery.sh [NAME...]     all of them, or those named: csg, glass-teapot, ...
+set -eu
+cd "$(dirname "$0")/.."
+hyalite=${HYALITE:-build/release/host/hyalite}
+[ -x "$hyalite" ] || { echo "render-gallery.sh: no program at $hyalite: run scripts/render.sh first" >&2; exit 2; }
+mkdir -p docs/gallery
+
+# picture NAME SCENE OPTION...: renders the scene unless other names were asked for
+picture() {
+    name=$1
+    scene=$2
+    shift 2
+    case " ${wanted:-$name} " in
+    *" $name "*) "$hyalite" render "scenes/$scene.yaml" -o "docs/gallery/$name.png" "$@" ;;
+    esac
+}
+
+wanted=$*
+picture reflections-0 reflections --max-depth 0
+picture reflections-1 reflections --max-depth 1
+picture reflections-5 reflections --max-depth 5
+picture glass-and-mirror glass-and-mirror
+picture quadrics quadrics
+picture csg csg
+picture csg-cube csg-cube
+picture glass-teapot glass-teapot
+picture instances instances
