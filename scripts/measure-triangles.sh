@@ -1,9 +1,9 @@
-#!/bin/sh
+#!/usr/bin/env bash
 # How the cost of a ray grows with the triangles of a mesh: renders one teapot at levels of about 1 thousand to
 # 10 million triangles and prints a table. ns/ray: trace_closest over the camera rays and photons of four passes, the
 # median of five runs; seconds: the whole of the first run, with its peak memory.
 #   scripts/measure-triangles.sh [LEVEL...]
-set -eu
+set -euo pipefail
 cd "$(dirname "$0")/.."
 hyalite=${HYALITE:-build/release/host/hyalite}
 [ -x "$hyalite" ] || { echo "measure-triangles.sh: no program at $hyalite: run scripts/render.sh first" >&2; exit 2; }

@@ -1,7 +1,7 @@
-#!/bin/sh
+#!/usr/bin/env bash
 # Renders the pictures of the README's gallery into docs/gallery: each takes less than a minute on two cores.
 #   scripts/render-gallery.sh [NAME...]     all of them, or those named: csg, glass-teapot, ...
-set -eu
+set -euo pipefail
 cd "$(dirname "$0")/.."
 hyalite=${HYALITE:-build/release/host/hyalite}
 [ -x "$hyalite" ] || { echo "render-gallery.sh: no program at $hyalite: run scripts/render.sh first" >&2; exit 2; }

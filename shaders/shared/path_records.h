@@ -21,7 +21,7 @@ struct Hit {
     uint object;    // kNone: nothing was hit; of a CSG object, the leaf whose surface it is
     uint primitive; // mesh: triangle of the triangle table; quadric: part, see kPartForm; 0 for other shapes. Of CSG
                     // with kHitEnters where the ray enters the solid
-    vec2 uv; // flat shapes: coordinates in the plane; triangle: barycentric of its second and third corner
+    vec2 uv;        // flat shapes: coordinates in the plane; triangle: barycentric of its second and third corner
 };
 DEVICE_ARRAY(Hit, HitArray);
 SHARED_CONSTANT kHitEnters = 0x80000000u;
