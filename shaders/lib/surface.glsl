@@ -64,8 +64,8 @@ vec3 placeOnFace(QuadricForm form, uint part, vec4 rows[3], vec3 center, vec3 p,
     float side = high ? form.high[axis] : form.low[axis];
     float scale = dot(row.xyz, row.xyz);
     s.position = p + ((side - dot(row.xyz, p - center)) / scale) * row.xyz;
-    s.error = 2.0 * kPlaneError * (dot(abs(row.xyz), abs(p) + abs(center)) + abs(side)) * inversesqrt(scale);
-    return row.xyz * (high ? inversesqrt(scale) : -inversesqrt(scale));
+    s.error = 2.0 * kPlaneError * (dot(abs(row.xyz), abs(p) + abs(center)) + abs(side)) / sqrt(scale);
+    return row.xyz * ((high ? 1.0 : -1.0) / sqrt(scale));
 }
 
 // How far off the surface a point may be whose distance is `value` (rounding included) over a slope `slope` [1/m]; at

@@ -10,6 +10,7 @@ class Determinism(CliTest):
         ("cornell-caustics.yaml", "ppm"),
         ("cornell-caustics.yaml", "whitted"),
         ("tests/mesh-room.yaml", "ppm"),
+        ("tests/all-shapes.yaml", "ppm"),
     )
     # What lavapipe reads. Where the CPU does not have a width, lavapipe takes a smaller one by itself.
     ENVIRONMENTS = (

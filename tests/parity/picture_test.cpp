@@ -62,6 +62,15 @@ TEST_CASE("ppm gives the reference's picture of the default scene") {
     comparePictures("ppm-cornell", scene, 0.99);
 }
 
+TEST_CASE("whitted and ppm give the reference's picture of every shape and of CSG") {
+    Scene scene = loadScene(std::filesystem::path(HYALITE_SOURCE_DIR) / "scenes/tests/all-shapes.yaml");
+    // Photons that graze one of many curved mirrors and panes of glass land elsewhere
+    comparePictures("ppm-shapes", scene, 0.97);
+    scene.render.integrator = Integrator::Whitted;
+    scene.render.minWeight = 0.01;
+    comparePictures("whitted-shapes", scene, 0.99);
+}
+
 TEST_CASE("ppm gives the reference's picture of meshes, point lights and many spheres") {
     Scene scene = crowdedBox();
     scene.lights = {{{0, 0.2, 0.8}, {0.5, 0.4, 0.3}}};
