@@ -3,6 +3,7 @@
 
 #include "reference/world.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -16,15 +17,94 @@ double channelMean(const glm::dvec3& c) {
     return (c.x + c.y + c.z) / 3;
 }
 
-double offsetOf(const Quad& quad) {
-    return surfaceOffset(glm::length(quad.corner) + glm::length(quad.edge0) + glm::length(quad.edge1));
+// A point of a light's surface with its normal on the emitting side, and how far a ray starts from it.
+struct LightPoint {
+    glm::dvec3 position;
+    glm::dvec3 normal;
+    double offset = 0;
+
+    [[nodiscard]] glm::dvec3 moved() const { return position + offset * normal; }
+};
+
+LightPoint pointOn(const Quad& quad, glm::dvec2 uv) {
+    return {.position = pointOnQuad(uv, quad),
+            .normal = glm::normalize(glm::cross(quad.edge0, quad.edge1)),
+            .offset = surfaceOffset(glm::length(quad.corner) + glm::length(quad.edge0) + glm::length(quad.edge1))};
+}
+LightPoint pointOn(const Disk& disk, glm::dvec2 uv) {
+    const glm::dvec2 at = concentricDisc(uv);
+    return {.position = disk.center + at.x * disk.axis0 + at.y * disk.axis1,
+            .normal = glm::normalize(glm::cross(disk.axis0, disk.axis1)),
+            .offset = surfaceOffset(glm::length(disk.center) + glm::length(disk.axis0) + glm::length(disk.axis1))};
+}
+LightPoint pointOn(const Sphere& sphere, glm::dvec2 uv) {
+    const glm::dvec3 normal = uniformSphere(uv);
+    return {.position = sphere.center + sphere.radius * normal,
+            .normal = normal,
+            .offset = surfaceOffset(glm::length(sphere.center) + sphere.radius)};
 }
 
-Light makeQuadLight(const Quad& quad, const glm::dvec3& radiance) {
-    const glm::dvec3 n = glm::cross(quad.edge0, quad.edge1);
-    const double area = glm::length(n);
-    return {.shape = QuadLight{.quad = quad, .normal = n / area, .area = area, .radiance = radiance},
-            .power = pi * area * radiance};
+// Evenly distributed over the area.
+LightPoint pointOn(const AreaLight& light, glm::dvec2 uv) {
+    return std::visit([&](const auto& shape) { return pointOn(shape, uv); }, light.shape);
+}
+
+double areaOf(const Quad& quad) {
+    return glm::length(glm::cross(quad.edge0, quad.edge1));
+}
+double areaOf(const Disk& disk) {
+    return pi * glm::length(glm::cross(disk.axis0, disk.axis1));
+}
+double areaOf(const Sphere& sphere) {
+    return 4 * pi * sphere.radius * sphere.radius;
+}
+
+template <class S>
+Light makeAreaLight(const S& shape, const glm::dvec3& radiance) {
+    const double area = areaOf(shape);
+    return {.shape = AreaLight{.shape = shape, .area = area, .radiance = radiance}, .power = pi * area * radiance};
+}
+
+Light makeAreaLight(const Object& object) {
+    if (const auto* quad = std::get_if<Quad>(&object.shape)) {
+        return makeAreaLight(*quad, object.emission);
+    }
+    if (const auto* disk = std::get_if<Disk>(&object.shape)) {
+        return makeAreaLight(*disk, object.emission);
+    }
+    if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
+        return makeAreaLight(*sphere, object.emission);
+    }
+    throw Error(ExitCode::BadInput, object.where, "only quads, disks and spheres emit light",
+                "give the emission to one of these");
+}
+
+// What a light offers a receiver: a point, and the intensity that it sends there in place of a point light's I.
+struct Offer {
+    glm::dvec3 position;
+    glm::dvec3 shadowEnd;
+    glm::dvec3 intensity;
+};
+
+Offer offerTo(const glm::dvec3& /*receiver*/, const PointLight& light, glm::dvec2 /*uv*/) {
+    return {.position = light.position, .shadowEnd = light.position, .intensity = light.intensity};
+}
+
+// An area sends Le cos(l) per area, and 1 / A is the density of the point; of a sphere only the half that faces the
+// receiver is sampled.
+Offer offerTo(const glm::dvec3& receiver, const AreaLight& light, glm::dvec2 uv) {
+    LightPoint y = pointOn(light, uv);
+    double area = light.area;
+    if (const auto* sphere = std::get_if<Sphere>(&light.shape)) {
+        area /= 2;
+        if (glm::dot(y.normal, receiver - sphere->center) < 0) {
+            y.normal = -y.normal;
+            y.position = sphere->center + sphere->radius * y.normal;
+        }
+    }
+    const double cosLight = glm::dot(y.normal, glm::normalize(receiver - y.position));
+    return {
+        .position = y.position, .shadowEnd = y.moved(), .intensity = light.radiance * (std::max(cosLight, 0.0) * area)};
 }
 
 } // namespace
@@ -38,11 +118,7 @@ std::vector<Light> makeLights(const Scene& scene) {
         if (object.emission == glm::dvec3(0)) {
             continue;
         }
-        const auto* quad = std::get_if<Quad>(&object.shape);
-        if (quad == nullptr) {
-            throw Error(ExitCode::BadInput, object.where, "only quads emit light", "give the emission to a quad");
-        }
-        lights.push_back(makeQuadLight(*quad, object.emission));
+        lights.push_back(makeAreaLight(object));
     }
     double total = 0;
     for (const Light& light : lights) {
@@ -81,26 +157,17 @@ std::optional<LightSample> sampleLight(const World& world, const VisiblePoint& x
     }
     const Light& chosen = world.lights[*light];
 
-    // The point y on the light, and the intensity it sends towards x in place of a point light's I: a quad sends
-    // Le cos(l) per area, and 1 / A is the density of y.
-    const auto* quad = std::get_if<QuadLight>(&chosen.shape);
-    const glm::dvec3 y = quad != nullptr
-                             ? pointOnQuad(sampleUnitSquare(sampler, shared::cameraLightPoint(vertex)), quad->quad)
-                             : std::get<PointLight>(chosen.shape).position;
-    const glm::dvec3 way = y - x.position;
+    const glm::dvec2 uv = sampleUnitSquare(sampler, shared::cameraLightPoint(vertex));
+    const Offer offer = std::visit([&](const auto& shape) { return offerTo(x.position, shape, uv); }, chosen.shape);
+    const glm::dvec3 way = offer.position - x.position;
     const double distance2 = glm::dot(way, way);
-    const glm::dvec3 wi = way / std::sqrt(distance2);
-    const double cosX = glm::dot(x.normal, wi);
-    const double cosLight = quad != nullptr ? -glm::dot(quad->normal, wi) : 1;
-    if (!(cosX > 0 && cosLight > 0)) {
+    const double cosX = glm::dot(x.normal, way) / std::sqrt(distance2);
+    if (!(cosX > 0 && channelMean(offer.intensity) > 0)) {
         return std::nullopt;
     }
-    const glm::dvec3 intensity =
-        quad != nullptr ? quad->radiance * cosLight * quad->area : std::get<PointLight>(chosen.shape).intensity;
-
     return LightSample{.from = x.shadowOrigin,
-                       .to = quad != nullptr ? y + offsetOf(quad->quad) * quad->normal : y,
-                       .contribution = x.f * intensity * (cosX / (distance2 * pmf))};
+                       .to = offer.shadowEnd,
+                       .contribution = x.f * offer.intensity * (cosX / (distance2 * pmf))};
 }
 
 Emission emitPhoton(const World& world, std::uint32_t photon, std::uint32_t pass) {
@@ -108,10 +175,9 @@ Emission emitPhoton(const World& world, std::uint32_t photon, std::uint32_t pass
     const Light& light = world.lights[chooseLight(world.lights, sampleUnitSquare(sampler, shared::kPhotonLight).x)];
     const glm::dvec2 direction = sampleUnitSquare(sampler, shared::kPhotonDirection);
     const glm::dvec3 power = light.power / (light.pmf * world.render.photons);
-    if (const auto* quad = std::get_if<QuadLight>(&light.shape)) {
-        const glm::dvec3 origin = pointOnQuad(sampleUnitSquare(sampler, shared::kPhotonOrigin), quad->quad);
-        return {.ray = {.origin = origin + offsetOf(quad->quad) * quad->normal,
-                        .direction = cosineHemisphere(direction, quad->normal)},
+    if (const auto* area = std::get_if<AreaLight>(&light.shape)) {
+        const LightPoint origin = pointOn(*area, sampleUnitSquare(sampler, shared::kPhotonOrigin));
+        return {.ray = {.origin = origin.moved(), .direction = cosineHemisphere(direction, origin.normal)},
                 .power = power};
     }
     return {.ray = {.origin = std::get<PointLight>(light.shape).position, .direction = uniformSphere(direction)},

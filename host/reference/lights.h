@@ -14,22 +14,22 @@ namespace hyalite::reference {
 
 struct World;
 
-struct QuadLight {
-    Quad quad;
-    glm::dvec3 normal;   // unit, the emitting side
-    double area = 0;     // [m^2]
-    glm::dvec3 radiance; // [W/(m^2 sr)]
+struct AreaLight {
+    std::variant<Quad, Disk, Sphere> shape; // emits on its front
+    double area = 0;                        // [m^2]
+    glm::dvec3 radiance;                    // [W/(m^2 sr)]
 };
 
 struct Light {
-    std::variant<PointLight, QuadLight> shape;
-    glm::dvec3 power; // flux [W]: 4 pi I of a point, pi A L of a quad
+    std::variant<PointLight, AreaLight> shape;
+    glm::dvec3 power; // flux [W]: 4 pi I of a point, pi A L of an area
     double pmf = 0;   // probability that a photon or a shadow ray picks this light
     double cdf = 0;   // sum of the pmf up to and including this light; 1 for the last
 };
 
 // Points in the scene's order, then emitting objects in theirs; pmf in proportion to the mean of the flux's channels
-// (all 0 where nothing emits). Throws Error(BadInput) at an emitting object that is no quad.
+// (all 0 where nothing emits). Throws Error(BadInput) at an emitting object of another shape than quad, disk
+// and sphere.
 [[nodiscard]] std::vector<Light> makeLights(const Scene& scene);
 
 // The first light with x < cdf; x in [0, 1). Some light must emit.

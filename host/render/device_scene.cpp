@@ -51,6 +51,37 @@ shared::LightRecord lightRecord(const Quad& quad, const dvec3& radiance) {
     return r;
 }
 
+shared::LightRecord lightRecord(const Disk& disk, const dvec3& radiance) {
+    shared::LightRecord r = lightRecord(Quad{disk.center, disk.axis0, disk.axis1}, radiance);
+    r.type = shared::kLightDisk;
+    const double area = std::numbers::pi * glm::length(glm::cross(disk.axis0, disk.axis1));
+    r.area = static_cast<float>(area);
+    r.power = std::numbers::pi * area * radiance;
+    return r;
+}
+
+shared::LightRecord lightRecord(const Sphere& sphere, const dvec3& radiance) {
+    const double area = 4 * std::numbers::pi * sphere.radius * sphere.radius;
+    shared::LightRecord r{};
+    r.type = shared::kLightSphere;
+    r.position = sphere.center;
+    r.edge0 = vec3(static_cast<float>(sphere.radius), 0, 0);
+    r.area = static_cast<float>(area);
+    r.emission = radiance;
+    r.power = std::numbers::pi * area * radiance;
+    return r;
+}
+
+shared::LightRecord lightRecord(const Object& object) {
+    if (const auto* disk = std::get_if<Disk>(&object.shape)) {
+        return lightRecord(*disk, object.emission);
+    }
+    if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
+        return lightRecord(*sphere, object.emission);
+    }
+    return lightRecord(std::get<Quad>(object.shape), object.emission);
+}
+
 bool emits(const Object& object) {
     return object.emission != dvec3(0);
 }
@@ -74,7 +105,7 @@ std::vector<shared::LightRecord> lightRecords(const Scene& scene) {
     }
     for (const Object& object : scene.objects) {
         if (emits(object)) {
-            lights.push_back(lightRecord(std::get<Quad>(object.shape), object.emission));
+            lights.push_back(lightRecord(object));
         }
     }
     const auto weight = [](const shared::LightRecord& light) {

@@ -35,6 +35,12 @@ void readMaterials(const Value& value, Scene& scene) {
     }
 }
 
+// Spheres that a transform has made ellipsoids cannot.
+bool canEmit(const Shape& shape) {
+    return std::holds_alternative<Quad>(shape) || std::holds_alternative<Disk>(shape) ||
+           std::holds_alternative<Sphere>(shape);
+}
+
 // Where the copies of an object stand: its own place, moved on by every product of powers of the maps in `repeat`.
 std::vector<glm::dmat4> readRepeat(const Value& value) {
     std::vector<glm::dmat4> places{glm::dmat4(1)};
@@ -85,8 +91,8 @@ std::vector<Object> readCopy(const Value& value, const glm::dmat4& place, Scene&
     for (Object& object : parts) {
         object.where = reader.where();
         object.emission = radiance;
-        if (emission && !std::holds_alternative<Quad>(object.shape)) {
-            emission->fail("only quads can emit light", "use a quad or a point light");
+        if (emission && !canEmit(object.shape)) {
+            emission->fail("only quads, disks and spheres can emit light", "use one of these, or a point light");
         }
         // The shapes within a csg have answered for themselves
         if (!object.material && !emission && !std::holds_alternative<Csg>(object.shape)) {

@@ -131,7 +131,7 @@ using Shape = std::variant<Sphere, Quad, Disk, Plane, Quadric, Torus, MeshInstan
 struct Object {
     Shape shape;
     std::optional<std::size_t> material; // in Scene::materials; none: reflects nothing
-    glm::dvec3 emission{0};              // quads: radiance of the front side [W/(m^2 sr)]
+    glm::dvec3 emission{0};              // quads, disks, spheres: radiance of the front [W/(m^2 sr)]
     SourceLocation where;
 };
 

@@ -15,9 +15,9 @@ void main() {
     }
     Sampler s = photonSampler(args.seed, args.pass, photon);
     LightRecord light = args.lights.at[pickLight(args.lights, args.lightCount, sampleUnit(s, kPhotonLight).x)];
-    vec3 origin = pointOnLight(light, sampleUnit(s, kPhotonOrigin));
+    LightPoint origin = pointOnLight(light, sampleUnit(s, kPhotonOrigin));
     vec2 u = sampleUnit(s, kPhotonDirection);
-    vec3 direction = light.type == kLightPoint ? uniformSphere(u) : cosineHemisphere(u, light.normal);
-    args.rays.at[photon] = Ray(origin, kInfinity, direction, 0u);
+    vec3 direction = light.type == kLightPoint ? uniformSphere(u) : cosineHemisphere(u, origin.normal);
+    args.rays.at[photon] = Ray(origin.position, kInfinity, direction, 0u);
     args.paths.at[photon] = PhotonPath(light.power / (light.pmf * float(args.count)), photon);
 }

@@ -24,11 +24,12 @@ void main() {
     uint index = one ? pickLight(args.lights, args.lightCount, sampleUnit(s, cameraLightChoice(vertex)).x) : args.light;
     LightRecord light = args.lights.at[index];
 
-    vec3 toLight = pointOnLight(light, sampleUnit(s, cameraLightPoint(vertex))) - x.position;
+    LightPoint point = pointFacing(light, x.position, sampleUnit(s, cameraLightPoint(vertex)));
+    vec3 toLight = point.position - x.position;
     float distance2 = dot(toLight, toLight);
     float distance = sqrt(distance2);
     vec3 wi = toLight / distance;
-    vec3 contribution = x.f * arrivingFlux(light, -wi, distance2) * dot(x.normal, wi) / (one ? light.pmf : 1.0);
+    vec3 contribution = x.f * arrivingFlux(light, point.normal, -wi, distance2) * dot(x.normal, wi) / (one ? light.pmf : 1.0);
     if (maxComponent(contribution) > 0.0) { // also false when the light is behind the surface or touches it
         args.shadowRays.at[i] = Ray(x.position, distance, wi, x.from);
         args.contributions.at[i] = contribution;

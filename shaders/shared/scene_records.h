@@ -28,15 +28,17 @@ DEVICE_ARRAY(MaterialRecord, MaterialArray);
 
 SHARED_CONSTANT kLightPoint = 0u;
 SHARED_CONSTANT kLightQuad = 1u;
+SHARED_CONSTANT kLightDisk = 2u;
+SHARED_CONSTANT kLightSphere = 3u;
 
 struct LightRecord {
     uint type;
-    vec3 position; // point: place; quad: corner [m]
-    vec3 edge0;    // quad only [m]
-    vec3 edge1;    // quad only [m]
-    vec3 normal;   // quad only: unit, the emitting side
-    float area;    // quad only [m^2]
-    vec3 emission; // point: intensity [W/sr]; quad: radiance [W/(m^2 sr)]
+    vec3 position; // point: place; quad: corner; disk, sphere: centre [m]
+    vec3 edge0;    // quad: edge; disk: axis; sphere: (radius, 0, 0) [m]
+    vec3 edge1;    // quad: edge; disk: axis [m]
+    vec3 normal;   // quad, disk: unit, the emitting side
+    float area;    // all but points [m^2]
+    vec3 emission; // point: intensity [W/sr]; the others: radiance [W/(m^2 sr)]
     vec3 power;    // flux [W]
     float pmf;     // probability that a photon or a shadow ray picks this light
     float cdf;     // sum of the pmf up to and including this light; 1 for the last

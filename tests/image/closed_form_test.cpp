@@ -120,4 +120,26 @@ TEST_CASE("the search radius shrinks as Knaus and Zwicker prescribe") {
     CHECK(std::abs(ratio * ratio - 0.1) < 1e-4);
 }
 
+// One pixel that looks at the middle of a white floor, lit by one shape two metres above it.
+double radianceBelow(const Shape& light, const dvec3& radiance) {
+    Scene scene = reference::test::onePixel({3, 1, 0}, {0, 0, 0}, Integrator::Whitted);
+    scene.render.passes = 512;
+    const std::size_t white = reference::test::addMaterial(scene, Diffuse{dvec3(1)});
+    reference::test::addObject(scene, Plane{{0, 0, 0}, {0, 1, 0}}, white);
+    reference::test::addObject(scene, light, std::nullopt, radiance);
+    return meanOf(onDevice(scene)).x;
+}
+
+TEST_CASE("a disk lights the point below its centre as its formula says") {
+    // E = pi L r^2 / (r^2 + h^2) with r = 1, h = 2: pi L / 5; the floor is white: radiance E / pi = L / 5.
+    // 512 stratified samples of a function that varies by a factor of 1.6: a few 1e-4
+    CHECK(std::abs(radianceBelow(Disk{{0, 2, 0}, {0, 0, 1}, {-1, 0, 0}}, dvec3(5)) - 1) < 2e-3);
+}
+
+TEST_CASE("a sphere lights the point below it like its radiance over the square of the distance to its centre") {
+    // E = pi L (r / d)^2 with r = 0.5, d = 2: pi L / 16. Samples differ more: half of the half that faces is behind its
+    // own horizon
+    CHECK(std::abs(radianceBelow(Sphere{{0, 2, 0}, 0.5}, dvec3(16)) - 1) < 1e-2);
+}
+
 } // namespace hyalite::testing

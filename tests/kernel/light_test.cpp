@@ -7,18 +7,20 @@ namespace hyalite::testing {
 
 namespace {
 
-// The quad light, a second one, and two point lights.
-Scene fourLights() {
+// The quad light, a second one, a disk stretched to an ellipse, a sphere, and two point lights.
+Scene everyLight() {
     Scene scene = reference::test::cornellBox();
     scene.lights = {{{0.2, 0.5, 0.1}, {1, 2, 3}}, {{-0.7, -0.1, 0.3}, {4, 1, 0.5}}};
     reference::test::addObject(scene, Quad{{-0.99, -0.2, -0.3}, {0, 0.4, 0}, {0, 0.1, 0.6}}, std::nullopt, {3, 2, 9});
+    reference::test::addObject(scene, Disk{{0.5, 0.9, -0.5}, {0.2, 0, 0}, {0, 0.05, 0.3}}, std::nullopt, {5, 5, 2});
+    reference::test::addObject(scene, Sphere{{-0.5, 0.5, 0.5}, 0.15}, std::nullopt, {2, 6, 3});
     return scene;
 }
 
 } // namespace
 
 TEST_CASE("light sampling sends the reference's contribution along the reference's ray") {
-    BothSides both(fourLights());
+    BothSides both(everyLight());
     reference::test::Random random;
     const std::uint32_t count = 20000;
     std::vector<shared::VisiblePoint> points(count);
@@ -29,9 +31,9 @@ TEST_CASE("light sampling sends the reference's contribution along the reference
     const auto rays = both.room<shared::Ray>(count);
     const auto contributions = both.room<vec3>(count);
     const std::uint32_t pass = 9;
-    for (const std::uint32_t light : {shared::kNone, 0U, 3U}) {
+    for (const std::uint32_t light : {shared::kNone, 0U, 3U, 4U, 5U}) {
         both.run("sample_lights",
-                 shared::SampleLightsArguments{devicePoints, both.deviceScene.lights, rays, contributions, count, 4,
+                 shared::SampleLightsArguments{devicePoints, both.deviceScene.lights, rays, contributions, count, 6,
                                                light, pass, both.scene.render.maxDepth},
                  count);
         // The strongest contribution at one metre, both cosines 1: f times intensity or radiance times area, over pmf
@@ -67,14 +69,14 @@ TEST_CASE("light sampling sends the reference's contribution along the reference
 }
 
 TEST_CASE("photons leave the lights as in the reference, in proportion to power") {
-    Scene scene = fourLights();
+    Scene scene = everyLight();
     scene.render.photons = 20000;
     BothSides both(scene);
     const std::uint32_t count = scene.render.photons;
     const auto rays = both.room<shared::Ray>(count);
     const auto paths = both.room<shared::PhotonPath>(count);
     both.run("emit_photons",
-             shared::EmitPhotonsArguments{both.deviceScene.lights, rays, paths, count, 4, scene.render.seed, 2}, count);
+             shared::EmitPhotonsArguments{both.deviceScene.lights, rays, paths, count, 6, scene.render.seed, 2}, count);
     dvec3 flux(0);
     for (std::uint32_t i = 0; i < count; ++i) {
         const reference::Emission expected = reference::emitPhoton(both.world, i, 2);
@@ -84,11 +86,14 @@ TEST_CASE("photons leave the lights as in the reference, in proportion to power"
         CHECK(paths.host()[i].photon == i);
         flux += dvec3(paths.host()[i].power);
     }
-    // Every light's flux: 4 pi I for points, pi A L for quads. The choice of lights is stratified over the photons:
+    // Every light's flux: 4 pi I for points, pi A L for areas. The choice of lights is stratified over the photons:
     // the share of each is right to about one photon in 20 000.
     const double pi = std::numbers::pi;
     const double area = glm::length(glm::cross(dvec3(0, 0.4, 0), dvec3(0, 0.1, 0.6)));
-    const dvec3 total = 4 * pi * dvec3(5, 3, 3.5) + pi * 0.25 * dvec3(18.4, 15.6, 8) + pi * area * dvec3(3, 2, 9);
+    const double diskArea = pi * glm::length(glm::cross(dvec3(0.2, 0, 0), dvec3(0, 0.05, 0.3)));
+    const double sphereArea = 4 * pi * 0.15 * 0.15;
+    const dvec3 total = 4 * pi * dvec3(5, 3, 3.5) + pi * 0.25 * dvec3(18.4, 15.6, 8) + pi * area * dvec3(3, 2, 9) +
+                        pi * diskArea * dvec3(5, 5, 2) + pi * sphereArea * dvec3(2, 6, 3);
     CHECK(glm::length(flux - total) < 1e-3 * glm::length(total));
 }
 
