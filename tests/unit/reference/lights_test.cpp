@@ -49,9 +49,9 @@ TEST_CASE("lights are points, then emitting quads, picked in proportion to the m
     CHECK(chooseLight(lights, 1 - 0x1p-24) == 1);
 }
 
-TEST_CASE("an emitting sphere is refused with its place in the file") {
+TEST_CASE("an emitting torus is refused with its place in the file") {
     Scene scene;
-    addObject(scene, Sphere{}, std::nullopt, {1, 1, 1});
+    addObject(scene, Torus{}, std::nullopt, {1, 1, 1});
     scene.objects[0].where = {.file = "scene.yaml", .line = 3, .column = 5};
     try {
         (void)makeLights(scene);
@@ -60,6 +60,19 @@ TEST_CASE("an emitting sphere is refused with its place in the file") {
         CHECK(error.code() == ExitCode::BadInput);
         CHECK(error.where().line == 3);
     }
+}
+
+TEST_CASE("the power of an area is pi A L") {
+    // A = pi 2 * 3 for an ellipse of half axes 2 and 3, 4 pi 0.5^2 = pi for a sphere of radius one half
+    Scene scene;
+    addObject(scene, Disk{{0, 0, 0}, {2, 0, 0}, {0, 3, 0}}, std::nullopt, {1, 2, 3});
+    addObject(scene, Sphere{{0, 0, 0}, 0.5}, std::nullopt, {1, 0, 0});
+    const std::vector<Light> lights = makeLights(scene);
+    const double pi = std::numbers::pi;
+    checkNear(lights.at(0).power, 6 * pi * pi * dvec3(1, 2, 3), 1e-12);
+    checkNear(lights.at(1).power, pi * pi * dvec3(1, 0, 0), 1e-12);
+    // Chosen in proportion to the mean of the channels: 36 to 1
+    CHECK_THAT(lights.at(0).pmf, WithinRel(36.0 / 37.0, 1e-12));
 }
 
 TEST_CASE("a point light contributes f I cos / d^2") {

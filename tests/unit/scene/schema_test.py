@@ -53,10 +53,11 @@ MISTAKES = [
     (["render", "integrator"], "ppm"),  # with max_depth 0
     (["materials", "m", "albedo"], 1.1), (["materials", "m", "type"], "velvet"), (["materials", "m", "ior"], 1.5),
     (["lights", 0, "intensity"], [1, -1, 1]), (["lights", 0, "position"], None), (["lights", 0, "type"], "spot"),
-    (["objects", 0, "material"], None), (["objects", 0, "emission"], 1), (["objects", 0, "shape", "radius"], 0),
+    (["objects", 0, "material"], None), (["objects", 0, "emission"], -1), (["objects", 0, "shape", "radius"], 0),
     (["objects", 0, "shape", "radius"], None), (["objects", 0, "shape", "type"], "cube"),
     (["objects", 0, "transform"], {"scale": 2}), (["objects", 0, "transform", 0, "translate"], [0, 0, 0]),
     (["objects", 1, "shape", "edges"], [[1, 0, 0]]), (["objects", 1, "emission"], -1),
+    (["objects", 1, "shape"], {"type": "box", "min": [0, 0, 0], "max": [1, 1, 1]}),
     (["objects", 1, "shape"], {"type": "mesh", "file": "teapot.fbx"}),
     (["objects", 2, "shape", "radius"], -1), (["objects", 2, "shape", "open"], 1), (["objects", 2, "shape", "caps"], True),
     (["objects", 3, "shape", "coefficients"], [1, 2, 3]), (["objects", 3, "shape", "clip"], None),  # caps without a clip
