@@ -1,6 +1,7 @@
 // Sampling the lights from both ends: shadow rays from surfaces, photons from the lights.
 #include "reference/lights.h"
 
+#include "reference/photons.h"
 #include "reference/world.h"
 
 #include <algorithm>
@@ -170,18 +171,21 @@ std::optional<LightSample> sampleLight(const World& world, const VisiblePoint& x
                        .contribution = x.f * offer.intensity * (cosX / (distance2 * pmf))};
 }
 
-Emission emitPhoton(const World& world, std::uint32_t photon, std::uint32_t pass) {
-    const shared::Sampler sampler = shared::photonSampler(world.render.seed, pass, photon);
-    const Light& light = world.lights[chooseLight(world.lights, sampleUnitSquare(sampler, shared::kPhotonLight).x)];
+Emission emitPhoton(const World& world, std::uint32_t photon, const PhotonPass& pass) {
+    const shared::Sampler sampler = shared::photonSampler(pass.sequence, photon);
+    const std::uint32_t index = chooseLight(world.lights, sampleUnitSquare(sampler, shared::kPhotonLight).x);
+    const Light& light = world.lights[index];
     const glm::dvec2 direction = sampleUnitSquare(sampler, shared::kPhotonDirection);
-    const glm::dvec3 power = light.power / (light.pmf * world.render.photons);
+    const glm::dvec3 power = light.power / (light.pmf * pass.count);
     if (const auto* area = std::get_if<AreaLight>(&light.shape)) {
         const LightPoint origin = pointOn(*area, sampleUnitSquare(sampler, shared::kPhotonOrigin));
         return {.ray = {.origin = origin.moved(), .direction = cosineHemisphere(direction, origin.normal)},
-                .power = power};
+                .power = power,
+                .light = index};
     }
     return {.ray = {.origin = std::get<PointLight>(light.shape).position, .direction = uniformSphere(direction)},
-            .power = power};
+            .power = power,
+            .light = index};
 }
 
 } // namespace hyalite::reference

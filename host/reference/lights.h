@@ -13,6 +13,7 @@
 namespace hyalite::reference {
 
 struct World;
+struct PhotonPass;
 
 struct AreaLight {
     std::variant<Quad, Disk, Sphere> shape; // emits on its front
@@ -37,11 +38,12 @@ struct Light {
 
 // Where a camera path first meets a diffuse surface: there the lights are sampled and the photons are gathered.
 struct VisiblePoint {
-    glm::dvec3 position;     // world [m]
-    glm::dvec3 shadowOrigin; // the same, moved off the surface to the side the path came from [m]
-    glm::dvec3 normal;       // unit, for shading, on that side
-    glm::dvec3 f;            // path throughput times the BRDF albedo / pi [1/sr]
-    std::uint32_t depth = 0; // segments from the camera to here
+    glm::dvec3 position;        // world [m]
+    glm::dvec3 shadowOrigin;    // the same, moved off the surface to the side the path came from [m]
+    glm::dvec3 normal;          // unit, for shading, on that side
+    glm::dvec3 geometricNormal; // unit, on that side
+    glm::dvec3 f;               // path throughput times the BRDF albedo / pi [1/sr]
+    std::uint32_t depth = 0;    // segments from the camera to here
     std::uint32_t samplerSeed = 0;
 };
 
@@ -60,9 +62,10 @@ struct LightSample {
 struct Emission {
     Ray ray;
     glm::dvec3 power; // flux [W], light pmf and photon count divided out
+    std::uint32_t light = 0;
 };
 
 // Emission of photon `photon` of a pass, from a light picked in proportion to power. Some light must emit.
-[[nodiscard]] Emission emitPhoton(const World& world, std::uint32_t photon, std::uint32_t pass);
+[[nodiscard]] Emission emitPhoton(const World& world, std::uint32_t photon, const PhotonPass& pass);
 
 } // namespace hyalite::reference

@@ -83,7 +83,7 @@ glm::dvec3 gatherRadiance(const PhotonMap& map, const VisiblePoint& x, double ra
     glm::dvec3 power(0);
     for (const std::uint32_t index : map.near(x.position, radius)) {
         const Photon& photon = map.photons()[index];
-        const bool inPlane = std::abs(glm::dot(photon.position - x.position, x.normal)) <= radius / 4;
+        const bool inPlane = std::abs(glm::dot(photon.position - x.position, x.geometricNormal)) <= radius / 4;
         const bool sameSurface = glm::dot(photon.normal, x.normal) > 0.5;
         const bool sameSide = glm::dot(photon.direction, x.normal) > 0;
         if (inPlane && sameSurface && sameSide && photon.depth + x.depth <= maxDepth) {

@@ -12,6 +12,14 @@ namespace hyalite::reference {
 
 namespace {
 
+std::uint32_t kindBit(PhotonKind kind) {
+    return 1U << static_cast<std::uint32_t>(kind);
+}
+
+bool isWanted(PhotonKind kind, const PhotonPass& pass) {
+    return (pass.kinds & kindBit(kind)) != 0;
+}
+
 // Survives with probability p = the largest channel, and then carries power * reflected / p: right on average.
 bool survives(const glm::dvec3& reflected, double x, glm::dvec3& power) {
     const double p = std::max({reflected.x, reflected.y, reflected.z});
@@ -22,8 +30,8 @@ bool survives(const glm::dvec3& reflected, double x, glm::dvec3& power) {
     return true;
 }
 
-void tracePhoton(const World& world, const Ray& ray, const PhotonPath& path, std::uint32_t depth, std::uint32_t pass,
-                 std::vector<Photon>& photons) {
+void tracePhoton(const World& world, const Ray& ray, const PhotonPath& path, std::uint32_t depth,
+                 const PhotonPass& pass, std::vector<Photon>& photons) {
     const std::optional<Hit> hit = traceClosest(world, ray);
     if (!hit) {
         return;
@@ -39,8 +47,14 @@ void tracePhoton(const World& world, const Ray& ray, const PhotonPath& path, std
 
 } // namespace
 
+PhotonPass progressivePass(const World& world, std::uint32_t pass) {
+    return {.sequence = shared::photonSequence(world.render.seed, shared::kGlobalPhotons, pass),
+            .count = world.render.photons,
+            .kinds = kindBit(PhotonKind::Indirect) | kindBit(PhotonKind::Caustic)};
+}
+
 PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, const PhotonPath& path,
-                            std::uint32_t depth, std::uint32_t pass) {
+                            std::uint32_t depth, const PhotonPass& pass) {
     const Surface surface = evaluateSurface(world, ray, hit);
     PhotonScatter scatter{.stored = {}, .next = {}, .path = path};
     if (surface.material == nullptr) {
@@ -48,23 +62,29 @@ PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, 
     }
     const MaterialModel& model = surface.material->model;
     const auto* diffuse = std::get_if<Diffuse>(&model);
-    if (diffuse != nullptr && depth >= 2) {
+    if (diffuse != nullptr && isWanted(path.kind, pass)) {
         scatter.stored = Photon{.position = surface.position,
                                 .direction = -ray.direction,
                                 .normal = surface.normal,
                                 .power = path.power,
                                 .photon = path.photon,
-                                .depth = depth};
+                                .depth = depth,
+                                .light = path.light,
+                                .kind = path.kind};
     }
     // A photon at depth j serves camera paths of depth k >= 1 with j + k <= maxDepth.
     if (depth + 1 >= world.render.maxDepth) {
         return scatter;
     }
-    const shared::Sampler sampler = shared::photonSampler(world.render.seed, pass, path.photon);
+    const shared::Sampler sampler = shared::photonSampler(pass.sequence, path.photon);
     const glm::dvec2 xy = sampleUnitSquare(sampler, shared::photonScatter(depth - 1));
     std::optional<glm::dvec3> direction;
+    if (path.kind == PhotonKind::Direct) { // what a mirror or glass sends on may become a caustic
+        scatter.path.kind = PhotonKind::Caustic;
+    }
     if (diffuse != nullptr) {
-        if (survives(diffuse->albedo, xy.x, scatter.path.power)) {
+        scatter.path.kind = PhotonKind::Indirect;
+        if (isWanted(PhotonKind::Indirect, pass) && survives(diffuse->albedo, xy.x, scatter.path.power)) {
             const glm::dvec2 uv = sampleUnitSquare(sampler, shared::photonBounce(depth - 1));
             direction = cosineHemisphere(uv, surface.normal);
         }
@@ -83,17 +103,17 @@ PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, 
     return scatter;
 }
 
-std::vector<Photon> tracePhotons(const World& world, std::uint32_t pass) {
+std::vector<Photon> tracePhotons(const World& world, const PhotonPass& pass) {
     // Each block of photons fills its own list: joined in order, they do not depend on the threads.
     constexpr std::size_t kBlock = 1024;
-    const std::size_t count = world.render.photons;
+    const std::size_t count = pass.count;
     std::vector<std::vector<Photon>> blocks((count + kBlock - 1) / kBlock);
     parallelFor(count, kBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const auto photon = static_cast<std::uint32_t>(i);
             const Emission emission = emitPhoton(world, photon, pass);
-            tracePhoton(world, emission.ray, {.power = emission.power, .photon = photon}, 1, pass,
-                        blocks[begin / kBlock]);
+            tracePhoton(world, emission.ray, {.power = emission.power, .photon = photon, .light = emission.light}, 1,
+                        pass, blocks[begin / kBlock]);
         }
     });
     std::vector<Photon> photons;

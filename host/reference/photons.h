@@ -3,6 +3,7 @@
 #pragma once
 
 #include "reference/world.h"
+#include "shaders/shared/path_records.h"
 
 #include <cstdint>
 #include <optional>
@@ -10,10 +11,30 @@
 
 namespace hyalite::reference {
 
-struct PhotonPath {
-    glm::dvec3 power;         // flux [W], light pmf and photon count divided out
-    std::uint32_t photon = 0; // number of the photon in its pass
+// What a photon that lands on a diffuse surface is called, by the way it came; numbered as in the shared headers.
+enum class PhotonKind : std::uint8_t {
+    Direct = shared::kPhotonDirect,     // straight from the light
+    Indirect = shared::kPhotonIndirect, // by way of a diffuse surface
+    Caustic = shared::kPhotonCaustic,   // by way of mirrors and glass alone
+    Shadow = shared::kPhotonShadow      // something stands between the light and this place; no power
 };
+
+struct PhotonPath {
+    glm::dvec3 power;                     // flux [W], light pmf and photon count divided out
+    std::uint32_t photon = 0;             // number of the photon in its pass
+    std::uint32_t light = 0;              // that emitted it
+    PhotonKind kind = PhotonKind::Direct; // of the photon that it would leave on a diffuse surface
+};
+
+// The photons of one purpose and one pass.
+struct PhotonPass {
+    std::uint32_t sequence = 0; // see shared::photonSequence
+    std::uint32_t count = 0;    // emitted
+    std::uint32_t kinds = 0;    // bit PhotonKind is set for every kind that is stored; paths that can store no more end
+};
+
+// Those of progressive photon mapping: all but the direct ones, which shadow rays stand for.
+[[nodiscard]] PhotonPass progressivePass(const World& world, std::uint32_t pass);
 
 // A stored photon.
 struct Photon {
@@ -23,6 +44,8 @@ struct Photon {
     glm::dvec3 power;         // flux [W]
     std::uint32_t photon = 0; // number in its pass
     std::uint32_t depth = 0;  // segments from the light to here
+    std::uint32_t light = 0;  // that emitted it
+    PhotonKind kind = PhotonKind::Indirect;
 };
 
 struct PhotonScatter {
@@ -31,12 +54,12 @@ struct PhotonScatter {
     PhotonPath path;         // along the next ray
 };
 
-// What becomes of a photon at a hit, `depth` segments from the light: stored on a diffuse surface unless it came
-// straight from the light (shadow rays bring that), then scattered or absorbed by Russian roulette.
+// What becomes of a photon at a hit, `depth` segments from the light: stored on a diffuse surface if its kind is
+// wanted, then scattered or absorbed by Russian roulette.
 [[nodiscard]] PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, const PhotonPath& path,
-                                          std::uint32_t depth, std::uint32_t pass);
+                                          std::uint32_t depth, const PhotonPass& pass);
 
 // All photons stored in a pass, ascending by (photon, depth).
-[[nodiscard]] std::vector<Photon> tracePhotons(const World& world, std::uint32_t pass);
+[[nodiscard]] std::vector<Photon> tracePhotons(const World& world, const PhotonPass& pass);
 
 } // namespace hyalite::reference

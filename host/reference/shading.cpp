@@ -68,6 +68,7 @@ Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const C
         shading.visible = VisiblePoint{.position = surface.position,
                                        .shadowOrigin = leave(surface, surface.geometricNormal),
                                        .normal = surface.normal,
+                                       .geometricNormal = surface.geometricNormal,
                                        .f = path.beta * diffuse->albedo / std::numbers::pi,
                                        .depth = depth,
                                        .samplerSeed = path.samplerSeed};

@@ -17,14 +17,22 @@ using glm::vec3;
 constexpr std::size_t kFewObjects = 12;
 
 shared::MaterialRecord materialRecord(const Material& material) {
+    shared::MaterialRecord r{};
+    r.ior = 1;
+    r.colorTexture = shared::kNone;
+    r.roughnessTexture = shared::kNone;
     if (const auto* diffuse = std::get_if<Diffuse>(&material.model)) {
-        return {shared::kMaterialDiffuse, diffuse->albedo, 1};
+        r.type = shared::kMaterialDiffuse;
+        r.color = diffuse->albedo;
+    } else if (const auto* mirror = std::get_if<Mirror>(&material.model)) {
+        r.type = shared::kMaterialMirror;
+        r.color = mirror->reflectance;
+    } else {
+        r.type = shared::kMaterialDielectric;
+        r.color = vec3(1);
+        r.ior = static_cast<float>(std::get<Dielectric>(material.model).ior);
     }
-    if (const auto* mirror = std::get_if<Mirror>(&material.model)) {
-        return {shared::kMaterialMirror, mirror->reflectance, 1};
-    }
-    const auto& dielectric = std::get<Dielectric>(material.model);
-    return {shared::kMaterialDielectric, vec3(1), static_cast<float>(dielectric.ior)};
+    return r;
 }
 
 shared::LightRecord lightRecord(const PointLight& light) {

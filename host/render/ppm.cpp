@@ -97,11 +97,14 @@ std::uint32_t Ppm::tracePhotons(std::uint32_t pass) {
     gpu::Commands& commands = device_.commands;
     PhotonQueue& queue = photonQueue_;
     const RenderSettings& settings = scene_.render;
+    // Direct light is sampled from the visible points
+    constexpr std::uint32_t kinds = 1U << shared::kPhotonIndirect | 1U << shared::kPhotonCaustic;
+    const std::uint32_t sequence = shared::photonSequence(settings.seed, shared::kGlobalPhotons, pass);
     std::uint32_t slots = 0;
     queue.count = settings.photons;
     commands.run(emitPhotons_,
                  shared::EmitPhotonsArguments{deviceScene_.lights, queue.rays, queue.paths, queue.count,
-                                              deviceScene_.lightCount, settings.seed, pass},
+                                              deviceScene_.lightCount, sequence},
                  queue.count);
     for (std::uint32_t depth = 1; queue.count > 0 && depth < settings.maxDepth; ++depth) {
         reservePhotons(slots + queue.count);
@@ -109,10 +112,10 @@ std::uint32_t Ppm::tracePhotons(std::uint32_t pass) {
                      shared::TraceClosestArguments{queue.rays, queue.hits, queue.count, deviceScene_.rootNode},
                      queue.count);
         commands.run(scatterPhoton_,
-                     shared::ScatterPhotonArguments{queue.rays, queue.hits, queue.paths, deviceScene_.materials,
-                                                    deviceScene_.normals, deviceScene_.instances, photons_,
-                                                    queue.nextRays, queue.nextPaths, queue.alive, queue.count, slots,
-                                                    depth, settings.maxDepth, settings.seed, pass},
+                     shared::ScatterPhotonArguments{
+                         queue.rays, queue.hits, queue.paths, deviceScene_.materials, deviceScene_.normals,
+                         deviceScene_.instances, photons_, shared::PhotonFateArray{}, queue.nextRays, queue.nextPaths,
+                         queue.alive, queue.count, slots, depth, settings.maxDepth, sequence, kinds, /*account*/ 0},
                      queue.count);
         counts_.photonRays += queue.count;
         // The first landing is direct light and stores nothing: its slots are used again

@@ -13,11 +13,13 @@ void main() {
     if (photon >= args.count) {
         return;
     }
-    Sampler s = photonSampler(args.seed, args.pass, photon);
-    LightRecord light = args.lights.at[pickLight(args.lights, args.lightCount, sampleUnit(s, kPhotonLight).x)];
+    Sampler s = photonSampler(args.sequence, photon);
+    uint index = pickLight(args.lights, args.lightCount, sampleUnit(s, kPhotonLight).x);
+    LightRecord light = args.lights.at[index];
     LightPoint origin = pointOnLight(light, sampleUnit(s, kPhotonOrigin));
     vec2 u = sampleUnit(s, kPhotonDirection);
     vec3 direction = light.type == kLightPoint ? uniformSphere(u) : cosineHemisphere(u, origin.normal);
     args.rays.at[photon] = Ray(origin.position, kInfinity, direction, 0u);
-    args.paths.at[photon] = PhotonPath(light.power / (light.pmf * float(args.count)), photon);
+    vec3 power = light.power / (light.pmf * float(args.count));
+    args.paths.at[photon] = PhotonPath(power, photon, index, kPhotonDirect, kNone);
 }

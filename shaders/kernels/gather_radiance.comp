@@ -4,32 +4,23 @@
 // [Jensen01, ch. 7], here with a fixed radius.
 #include "shared/kernel_arguments.h"
 #include "lib/grid.glsl"
-#include "lib/math.glsl"
-#include "lib/tables.glsl"
+#include "lib/photon.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { GatherRadianceArguments args; };
 
-// Photons farther than this from the tangent plane, in search radii, lie on another surface.
-const float kPlaneDistance = 0.25;
-// So do photons whose surface is turned away by more than 60 degrees; the square of the cosine.
-const float kNormalCosine2 = 0.25;
-
 // Flux of the photon if it counts for x, else 0.
-vec3 photonFlux(VisiblePoint x, uint photon) {
+vec3 photonFlux(VisiblePoint x, vec3 normal, uint photon) {
     vec4 place = texelFetch(photonTable, int(2u * photon));
     vec3 offset = place.xyz - x.position;
-    if (dot(offset, offset) > args.radius * args.radius || abs(dot(offset, x.normal)) > kPlaneDistance * args.radius) {
+    if (dot(offset, offset) > args.radius * args.radius || abs(dot(offset, normal)) > kPlaneDistance * args.radius) {
         return vec3(0.0);
     }
     vec4 rest = texelFetch(photonTable, int(2u * photon + 1u));
     uint surface = floatBitsToUint(rest.w);
-    vec3 normal = unpackDirection(surface, 12u);
-    float cosine = dot(normal, x.normal);
-    bool sameSurface = cosine > 0.0 && cosine * cosine > kNormalCosine2 * dot(normal, normal);
-    bool fromAbove = dot(unpackDirection(floatBitsToUint(place.w), 16u), x.normal) > 0.0;
-    bool shortEnough = (surface >> 24u) + x.depth <= args.maxDepth;
-    return sameSurface && fromAbove && shortEnough ? rest.xyz : vec3(0.0);
+    bool counts = onSameSide(x.normal, floatBitsToUint(place.w), surface) &&
+                  photonLength(surface) + x.depth <= args.maxDepth;
+    return counts ? rest.xyz : vec3(0.0);
 }
 
 // The photons that a query has to look at: four rows of two cells, each row one range of the sorted photons, and what
@@ -74,6 +65,7 @@ void main() {
     VisiblePoint x = args.visiblePoints.at[i];
     vec3 flux = vec3(0.0);
     if (x.depth != 0u) {
+        vec3 normal = normalize(unpackDirection(x.geometricNormal, 16u));
         Ranges ranges = candidateRanges(x.position);
         // One loop over all rows: neighbouring threads stay together although their rows differ in length
         int row = 0;
@@ -88,7 +80,7 @@ void main() {
                 end = row < 4 ? ranges.end[row] : ranges.wrappedEnd;
                 continue;
             }
-            flux += photonFlux(x, photon++);
+            flux += photonFlux(x, normal, photon++);
         }
     }
     args.gathered.at[i] = x.f * flux / (kPi * args.radius * args.radius);

@@ -19,5 +19,5 @@ void main() {
     vec2 image = vec2(2.0, -2.0) * raster / vec2(camera.width, camera.height) + vec2(-1.0, 1.0);
     vec3 direction = normalize(camera.forward + image.x * camera.right + image.y * camera.up);
     args.rays.at[pixel] = Ray(camera.position, kInfinity, direction, 0u);
-    args.paths.at[pixel] = CameraPath(vec3(1.0), pixel, sampler_.seed);
+    args.paths.at[pixel] = CameraPath(vec3(1.0), pixel, sampler_.seed, kNone, 0.0);
 }

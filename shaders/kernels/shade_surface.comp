@@ -20,7 +20,9 @@ void follow(uint slot, Surface s, vec3 direction, bool through, CameraPath path,
         return;
     }
     args.nextRays.at[slot] = leaveSurface(s, direction, through);
-    args.nextPaths.at[slot] = CameraPath(beta, path.pixel, samplerSeed);
+    path.beta = beta;
+    path.samplerSeed = samplerSeed;
+    args.nextPaths.at[slot] = path;
     args.alive.at[slot] = 1u;
 }
 
@@ -57,7 +59,7 @@ void main() {
     Hit hit = args.hits.at[id];
     CameraPath path = args.paths.at[id];
     uint result = args.split != 0u ? id : path.pixel;
-    VisiblePoint visible = VisiblePoint(vec3(0.0), 0u, vec3(0.0), path.samplerSeed, vec3(0.0), path.pixel, 0u);
+    VisiblePoint visible = VisiblePoint(vec3(0.0), 0u, vec3(0.0), path.samplerSeed, vec3(0.0), path.pixel, 0u, 0u);
     vec3 emitted = vec3(0.0);
 
     if (hit.object != kNone) {
@@ -72,6 +74,7 @@ void main() {
                 visible.position = s.position + s.error * s.geometricNormal;
                 visible.depth = args.depth;
                 visible.normal = s.normal;
+                visible.geometricNormal = packUnitVector(s.geometricNormal, 16u);
                 visible.f = path.beta * material.color * kInvPi;
                 visible.from = leaving(s, false);
             } else if (material.type == kMaterialMirror) {

@@ -71,8 +71,7 @@ struct EmitPhotonsArguments {
     PhotonPathArray paths; // out
     uint count;            // photons emitted in this pass
     uint lightCount;
-    uint seed;
-    uint pass;
+    uint sequence; // seed of the photons' samplers, see photonSampler
 };
 
 struct ScatterPhotonArguments {
@@ -83,6 +82,7 @@ struct ScatterPhotonArguments {
     NormalArray normals;
     InstanceArray instances;
     PhotonArray photons;       // out, at firstPhoton + thread; surface = kNone where none is stored
+    PhotonFateArray fates;     // in and out, by number of the photon; unused without `account`
     RayArray nextRays;         // out
     PhotonPathArray nextPaths; // out
     UintArray alive;           // out
@@ -90,8 +90,9 @@ struct ScatterPhotonArguments {
     uint firstPhoton;
     uint depth; // segments from the light to these hits
     uint maxDepth;
-    uint seed;
-    uint pass;
+    uint sequence; // seed of the photons' samplers, see photonSampler
+    uint kinds;    // bit kPhoton… is set for every kind that is to be stored; paths that can store no more end
+    uint account;  // 1: keep account of what becomes of the flux
 };
 
 struct CompactCameraPathsArguments {

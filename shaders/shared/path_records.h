@@ -31,6 +31,8 @@ struct CameraPath {
     vec3 beta;        // throughput: what one unit of radiance along the present ray adds to the pixel
     uint pixel;       // y * width + x, row 0 on top
     uint samplerSeed; // see Sampler; the index is the pass
+    uint medium;      // the dielectric material that it runs in; kNone: none
+    float pdfW; // density with which its present direction was chosen [1/sr]; 0: by the lens or a specular surface
 };
 DEVICE_ARRAY(CameraPath, CameraPathArray);
 
@@ -42,7 +44,8 @@ struct VisiblePoint {
     uint samplerSeed;
     vec3 f; // path throughput times the BRDF albedo / pi [1/sr]
     uint pixel;
-    uint from; // see Ray
+    uint from;            // see Ray
+    uint geometricNormal; // on the same side, octahedral, 16 bits a coordinate
 };
 DEVICE_ARRAY(VisiblePoint, VisiblePointArray);
 
@@ -50,17 +53,44 @@ DEVICE_ARRAY(VisiblePoint, VisiblePointArray);
 struct PhotonPath {
     vec3 power;  // flux [W], light pmf and photon count divided out
     uint photon; // number of the photon in its pass
+    uint light;  // that emitted it
+    uint kind;   // of the photon that it would leave on a diffuse surface: kPhoton…
+    uint medium; // the dielectric material that it runs in; kNone: none
 };
 DEVICE_ARRAY(PhotonPath, PhotonPathArray);
+
+// The ways by which light comes to a diffuse surface: what a photon that lands there is called.
+SHARED_CONSTANT kPhotonDirect = 0u;   // straight from the light
+SHARED_CONSTANT kPhotonIndirect = 1u; // by way of a diffuse surface
+SHARED_CONSTANT kPhotonCaustic = 2u;  // by way of mirrors and glass alone
+SHARED_CONSTANT kPhotonShadow = 3u;   // no light: something stands between the light and this place; no power
 
 // A stored photon; the sorted photons are also read as two texels each.
 struct Photon {
     vec3 position;  // world [m]
-    uint direction; // unit vector towards where the photon came from, octahedral, 16 bits a coordinate
+    uint direction; // unit vector towards where the photon came from, octahedral, kDirectionBits a coordinate; above,
+                    // where photons are sorted into a kd-tree, the axis that splits at this photon: 0, 1, 2
     vec3 power;     // flux [W]
-    uint surface;   // normal of the surface it landed on, octahedral, 12 bits a coordinate; path length above, 8 bits
+    uint surface;   // normal of the surface it landed on, octahedral, kNormalBits a coordinate; above, two bits of its
+                  // kind, then eight: direct and shadow photons, the light (255: that one or a later one); others, the
+                  // segments of its path. kNone: no photon
 };
 DEVICE_ARRAY(Photon, PhotonArray);
+SHARED_CONSTANT kDirectionBits = 15u;
+SHARED_CONSTANT kSplitAxisShift = 30u;
+SHARED_CONSTANT kNormalBits = 11u;
+SHARED_CONSTANT kKindShift = 22u;
+SHARED_CONSTANT kLengthShift = 24u;
+SHARED_CONSTANT kLengthMax = 255u;
+
+// What became of the flux that a photon left its light with [W]; the four add up to it.
+struct PhotonFate {
+    vec3 stored;   // left on diffuse surfaces where a photon was stored
+    vec3 absorbed; // by mirrors, glass and surfaces that reflect nothing
+    vec3 escaped;  // out of the scene
+    vec3 cutOff;   // would have been reflected on at the end of the longest path
+};
+DEVICE_ARRAY(PhotonFate, PhotonFateArray);
 
 DEVICE_ARRAY(uint, UintArray);
 DEVICE_ARRAY(vec3, ColorArray);

@@ -60,10 +60,17 @@ SHARED_FUNCTION Sampler cameraSampler(uint seed, uint pass, uint pixel) {
     return s;
 }
 
-// Photon paths: one sequence per pass, whose successive points are the photons emitted in it.
-SHARED_FUNCTION Sampler photonSampler(uint seed, uint pass, uint photon) {
+// Photon paths: one sequence per pass and purpose, whose successive points are the photons emitted.
+SHARED_CONSTANT kGlobalPhotons = 1u;
+SHARED_CONSTANT kCausticPhotons = 2u;
+
+SHARED_FUNCTION uint photonSequence(uint seed, uint purpose, uint pass) {
+    return hashCombine(hashCombine(seed, purpose), pass);
+}
+
+SHARED_FUNCTION Sampler photonSampler(uint sequence, uint photon) {
     Sampler s;
-    s.seed = hashCombine(hashCombine(seed, 1u), pass);
+    s.seed = sequence;
     s.index = photon;
     return s;
 }
@@ -90,7 +97,7 @@ SHARED_FUNCTION uint cameraLightChoice(uint vertex) { // x: which light
     return 4u + 3u * vertex;
 }
 
-SHARED_CONSTANT kPhotonLight = 0u;     // x: which light emits
+SHARED_CONSTANT kPhotonLight = 0u;     // x: which light emits, y: which target it aims at
 SHARED_CONSTANT kPhotonOrigin = 1u;    // point on the light
 SHARED_CONSTANT kPhotonDirection = 2u; // direction of emission
 

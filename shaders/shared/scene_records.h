@@ -21,8 +21,13 @@ SHARED_CONSTANT kMaterialDielectric = 3u; // ior = inside over outside
 
 struct MaterialRecord {
     uint type;
-    vec3 color; // fraction reflected per channel, [0, 1]
-    float ior;
+    vec3 color;            // fraction reflected per channel, [0, 1]; conductor: its index of refraction, real part
+    vec3 extinction;       // conductor: imaginary part of the index; dielectric: absorption coefficient [1/m]
+    float ior;             // dielectrics: inside over outside
+    float roughness;       // 0: smooth; else the alpha of the GGX distribution is its square
+    float metallic;        // metallic-roughness: 0 dielectric, 1 metal
+    uint colorTexture;     // multiplies the colour; kNone: none
+    uint roughnessTexture; // metallic-roughness: green times roughness, blue times metallic; kNone: none
 };
 DEVICE_ARRAY(MaterialRecord, MaterialArray);
 

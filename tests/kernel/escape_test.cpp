@@ -43,7 +43,7 @@ std::size_t countEscapes(Scene scene, std::uint32_t count) {
     auto rays = both.upload(raysInside(both, count));
     auto nextRays = both.room<shared::Ray>(count);
     const auto hits = both.room<shared::Hit>(count);
-    const auto paths = both.upload(std::vector<shared::CameraPath>(count, {vec3(1), 0, 0}));
+    const auto paths = both.upload(std::vector<shared::CameraPath>(count, {vec3(1), 0, 0, shared::kNone, 0}));
     const auto points = both.room<shared::VisiblePoint>(count);
     const auto emitted = both.room<vec3>(count);
     const auto nextPaths = both.room<shared::CameraPath>(count);

@@ -1,5 +1,6 @@
 // sample_lights and emit_photons against their twins.
 #include "kernel/kernel_support.h"
+#include "reference/photons.h"
 
 #include <bit>
 
@@ -25,7 +26,7 @@ TEST_CASE("light sampling sends the reference's contribution along the reference
     const std::uint32_t count = 20000;
     std::vector<shared::VisiblePoint> points(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-        points[i] = {random.inCube(0.9), i % 13, random.direction(), shared::hash(i), vec3(0.3, 0.2, 0.1), i, 0};
+        points[i] = {random.inCube(0.9), i % 13, random.direction(), shared::hash(i), vec3(0.3, 0.2, 0.1), i, 0, 0};
     }
     const auto devicePoints = both.upload(points);
     const auto rays = both.room<shared::Ray>(count);
@@ -46,7 +47,7 @@ TEST_CASE("light sampling sends the reference's contribution along the reference
         for (std::uint32_t i = 0; i < count; ++i) {
             const shared::VisiblePoint& p = points[i];
             const bool shortEnough = p.depth > 0 && p.depth + 1 <= both.scene.render.maxDepth;
-            const reference::VisiblePoint x{p.position, p.position, dvec3(p.normal),
+            const reference::VisiblePoint x{p.position, p.position, dvec3(p.normal), dvec3(p.normal),
                                             dvec3(p.f), p.depth,    p.samplerSeed};
             const auto one = light == shared::kNone ? std::nullopt : std::optional<std::uint32_t>(light);
             const auto sample = shortEnough ? reference::sampleLight(both.world, x, pass, one) : std::nullopt;
@@ -75,11 +76,12 @@ TEST_CASE("photons leave the lights as in the reference, in proportion to power"
     const std::uint32_t count = scene.render.photons;
     const auto rays = both.room<shared::Ray>(count);
     const auto paths = both.room<shared::PhotonPath>(count);
+    const auto pass = reference::progressivePass(both.world, 2);
     both.run("emit_photons",
-             shared::EmitPhotonsArguments{both.deviceScene.lights, rays, paths, count, 6, scene.render.seed, 2}, count);
+             shared::EmitPhotonsArguments{both.deviceScene.lights, rays, paths, count, 6, pass.sequence}, count);
     dvec3 flux(0);
     for (std::uint32_t i = 0; i < count; ++i) {
-        const reference::Emission expected = reference::emitPhoton(both.world, i, 2);
+        const reference::Emission expected = reference::emitPhoton(both.world, i, pass);
         CHECK(distance(rays.host()[i].origin, expected.ray.origin) < 2e-6);
         CHECK(distance(rays.host()[i].direction, expected.ray.direction) < 1e-5);
         CHECK(distance(paths.host()[i].power, expected.power) < 1e-5 * glm::length(expected.power));

@@ -11,16 +11,23 @@ namespace hyalite::testing {
 namespace {
 
 // An upward surface's photon of power 1, arriving from above, after two segments.
-constexpr std::uint32_t kMiddle12 = 0x7ff;
+constexpr std::uint32_t kMiddle11 = 0x3ff;
+constexpr std::uint32_t kKindAndLength = shared::kPhotonIndirect << shared::kKindShift | 2U << shared::kLengthShift;
+constexpr std::uint32_t kUp16 = 0x7fffU | 0x7fffU << 16U; // a visible point's normal
 shared::Photon photonAt(const vec3& position, float power) {
-    // Octahedral (0, 0, 1): both coordinates at the middle, to one step in 4095 and 65535
-    const std::uint32_t up12 = kMiddle12 | kMiddle12 << 12U;
-    const std::uint32_t up16 = 0x7fffU | 0x7fffU << 16U;
-    return {position, up16, vec3(power), up12 | 2U << 24U};
+    // Octahedral (0, 0, 1): both coordinates at the middle, to one step in 2047 and 32767
+    const std::uint32_t up11 = kMiddle11 | kMiddle11 << 11U;
+    const std::uint32_t up15 = 0x3fffU | 0x3fffU << 15U;
+    return {position, up15, vec3(power), up11 | kKindAndLength};
 }
 
 reference::Photon toReference(const shared::Photon& p, std::uint32_t number) {
-    return {dvec3(p.position), {0, 0, 1}, {0, 0, 1}, dvec3(p.power), number, 2};
+    return {.position = p.position,
+            .direction = {0, 0, 1},
+            .normal = {0, 0, 1},
+            .power = p.power,
+            .photon = number,
+            .depth = 2};
 }
 
 struct PhotonSet {
@@ -105,8 +112,14 @@ TEST_CASE("gathering meets every photon of the disc once, also where cells share
             for (std::uint32_t i = 0; i < count; ++i) {
                 const bool atPhoton = !set.positions.empty() && i % 2 == 0;
                 const dvec3 near = atPhoton ? dvec3(set.positions[i % set.positions.size()]) : random.inCube(1);
-                points[i] = {
-                    vec3(near + 0.5 * random.inCube(radius) * dvec3(1, 1, 0.1)), 1, vec3(0, 0, 1), 0, vec3(1), i, 0};
+                points[i] = {vec3(near + 0.5 * random.inCube(radius) * dvec3(1, 1, 0.1)),
+                             1,
+                             vec3(0, 0, 1),
+                             0,
+                             vec3(1),
+                             i,
+                             0,
+                             kUp16};
             }
             const auto devicePoints = both.upload(points);
             const auto gathered = both.room<vec3>(count);
@@ -123,7 +136,8 @@ TEST_CASE("gathering meets every photon of the disc once, also where cells share
             const reference::PhotonMap map(stored);
             std::size_t edge = 0; // a photon on the rim of the disc, in on one side and out on the other
             for (std::uint32_t i = 0; i < count; ++i) {
-                const reference::VisiblePoint x{points[i].position, points[i].position, {0, 0, 1}, dvec3(1), 1, 0};
+                const reference::VisiblePoint x{
+                    points[i].position, points[i].position, {0, 0, 1}, {0, 0, 1}, dvec3(1), 1, 0};
                 const double expected = reference::gatherRadiance(map, x, radius, 12).x;
                 const double actual = gathered.host()[i].x;
                 edge += std::abs(actual - expected) > 1e-4 * expected ? 1 : 0;
@@ -141,7 +155,7 @@ TEST_CASE("photons of another surface, another side or too long a path are not g
         const auto photons = both.upload(std::vector{photon});
         grid.build(both.device, photons, 1, radius);
         const auto points =
-            both.upload(std::vector<shared::VisiblePoint>{{vec3(0), depth, vec3(0, 0, 1), 0, vec3(0.5), 0, 0}});
+            both.upload(std::vector<shared::VisiblePoint>{{vec3(0), depth, vec3(0, 0, 1), 0, vec3(0.5), 0, 0, kUp16}});
         const auto gathered = both.room<vec3>(1);
         both.run(
             "gather_radiance",
@@ -160,7 +174,7 @@ TEST_CASE("photons of another surface, another side or too long a path are not g
     below.direction = 0; // octahedral (-1, -1): straight down
     CHECK(estimate(below, 1, 3) == 0);
     shared::Photon wall = near;
-    wall.surface = 0xfffU | kMiddle12 << 12U | 2U << 24U; // octahedral (1, 0): normal along x
+    wall.surface = 0x7ffU | kMiddle11 << 11U | kKindAndLength; // octahedral (1, 0): normal along x
     CHECK(estimate(wall, 1, 3) == 0);
 }
 

@@ -2,19 +2,21 @@
 #include "kernel/kernel_support.h"
 #include "reference/photons.h"
 
+#include <array>
+
 #include <catch2/generators/catch_generators.hpp>
 
 namespace hyalite::testing {
 
 namespace {
 
-// Half a step of 2/4095 in x and y is up to one in z, 6e-4 in all, on a vector of length 1/sqrt(3) at least: the
-// octahedral encoding of 12 bits is right to 1.04e-3.
-constexpr double kNormalError = 1.04e-3;
+// Half a step of 2/2047 in x and y is up to one in z, 1.2e-3 in all, on a vector of length 1/sqrt(3) at least: the
+// octahedral encoding of 11 bits is right to 2.08e-3.
+constexpr double kNormalError = 2.08e-3;
 
 dvec3 unpackNormal(std::uint32_t bits) {
-    const auto coordinate = [](std::uint32_t v) { return (v & 0xfffU) / 4095.0 * 2 - 1; };
-    dvec3 v(coordinate(bits), coordinate(bits >> 12), 0);
+    const auto coordinate = [](std::uint32_t v) { return (v & 0x7ffU) / 2047.0 * 2 - 1; };
+    dvec3 v(coordinate(bits), coordinate(bits >> 11), 0);
     v.z = 1 - std::abs(v.x) - std::abs(v.y);
     if (v.z < 0) {
         const dvec3 folded = v;
@@ -33,13 +35,13 @@ TEST_CASE("photons are stored, scattered and absorbed as in the reference at eve
     BothSides both(scene);
     reference::test::Random random;
     const std::uint32_t count = 10000;
-    const std::uint32_t pass = 5;
+    const std::array<std::uint32_t, 3> kinds{shared::kPhotonDirect, shared::kPhotonIndirect, shared::kPhotonCaustic};
     std::vector<shared::Ray> rays;
     std::vector<shared::PhotonPath> paths;
     for (std::uint32_t i = 0; i < count; ++i) {
         const dvec3 origin = random.inCube(0.99);
         rays.push_back(toDevice({.origin = origin, .direction = random.direction()}));
-        paths.push_back({vec3(3, 2, 1), i});
+        paths.push_back({vec3(3, 2, 1), i, 4, kinds[i % 3], shared::kNone});
     }
     const auto deviceRays = both.upload(rays);
     const auto devicePaths = both.upload(paths);
@@ -50,30 +52,41 @@ TEST_CASE("photons are stored, scattered and absorbed as in the reference at eve
     const auto alive = both.room<shared::uint>(count);
     both.run("trace_closest", shared::TraceClosestArguments{deviceRays, hits, count, both.deviceScene.rootNode}, count);
 
-    for (const std::uint32_t depth : {1U, 2U, 4U, 5U}) {
+    const auto fates = both.room<shared::PhotonFate>(count);
+    // The kinds of progressive photon mapping, of a global map and of a caustic map
+    for (const auto& [depth, wanted] : {std::pair{1U, 6U}, {2U, 7U}, {3U, 4U}, {4U, 6U}, {5U, 7U}}) {
+        reference::PhotonPass pass = reference::progressivePass(both.world, 5);
+        pass.kinds = wanted;
         const auto& d = both.deviceScene;
+        std::ranges::fill(fates.host(), shared::PhotonFate{});
         both.run("scatter_photon",
                  shared::ScatterPhotonArguments{deviceRays, hits, devicePaths, d.materials, d.normals, d.instances,
-                                                photons, nextRays, nextPaths, alive, count, 7, depth,
-                                                scene.render.maxDepth, scene.render.seed, pass},
+                                                photons, fates, nextRays, nextPaths, alive, count, 7, depth,
+                                                scene.render.maxDepth, pass.sequence, pass.kinds, 1},
                  count);
         std::size_t stored = 0;
         std::size_t coins = 0;
         for (std::uint32_t i = 0; i < count; ++i) {
             const reference::Ray ray = toReference(rays[i]);
+            const shared::PhotonFate& fate = fates.host()[i];
+            const vec3 onward = alive.host()[i] != 0 ? nextPaths.host()[i].power : vec3(0);
+            CHECK(glm::length(fate.stored + fate.absorbed + fate.escaped + fate.cutOff + onward - paths[i].power) <
+                  1e-6F);
             const auto hit = reference::traceClosest(both.world, ray);
             if (!hit || hit->object != both.sceneObject(hits.host()[i].object)) {
                 continue;
             }
-            const auto expected =
-                reference::scatterPhoton(both.world, ray, *hit, {dvec3(paths[i].power), i}, depth, pass);
+            const reference::PhotonPath path{dvec3(paths[i].power), i, 4,
+                                             static_cast<reference::PhotonKind>(paths[i].kind)};
+            const auto expected = reference::scatterPhoton(both.world, ray, *hit, path, depth, pass);
             const shared::Photon& photon = photons.host()[7 + i];
             REQUIRE((photon.surface != shared::kNone) == expected.stored.has_value());
             if (expected.stored) {
                 ++stored;
                 CHECK(distance(photon.position, expected.stored->position) < 2e-5);
                 CHECK(distance(photon.power, expected.stored->power) < 1e-6);
-                CHECK(photon.surface >> 24U == depth);
+                CHECK(((photon.surface >> shared::kKindShift) & 3U) == paths[i].kind);
+                CHECK(photon.surface >> shared::kLengthShift == (paths[i].kind == shared::kPhotonDirect ? 4U : depth));
                 CHECK(glm::length(unpackNormal(photon.surface) - expected.stored->normal) < kNormalError);
             }
             const bool goesOn = alive.host()[i] != 0;
@@ -89,10 +102,12 @@ TEST_CASE("photons are stored, scattered and absorbed as in the reference at eve
                 CHECK(distance(nextRays.host()[i].origin, expected.next->origin) < 2e-5);
                 CHECK(distance(nextPaths.host()[i].power, expected.path.power) < 1e-5);
                 CHECK(nextPaths.host()[i].photon == i);
+                CHECK(nextPaths.host()[i].light == 4);
+                CHECK(nextPaths.host()[i].kind == static_cast<std::uint32_t>(expected.path.kind));
             }
         }
         CHECK(coins <= 2);
-        CHECK((stored > count / 4) == (depth >= 2));
+        CHECK(stored > count / 8);
     }
 }
 

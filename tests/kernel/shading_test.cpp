@@ -71,7 +71,7 @@ void compareShading(Scene scene, std::uint32_t split, std::uint32_t depth) {
     for (std::uint32_t i = 0; i < count; ++i) {
         const dvec3 origin = random.inCube(0.99);
         rays.push_back(toDevice({.origin = origin, .direction = random.direction()}));
-        paths.push_back({vec3(0.5, 0.25, 1), i, shared::hash(i)});
+        paths.push_back({vec3(0.5, 0.25, 1), i, shared::hash(i), shared::kNone, 0});
     }
     const std::uint32_t pass = 3;
     const Bounce b = shade(both, rays, paths, depth, pass, split);
@@ -149,7 +149,7 @@ TEST_CASE("a ray in glass beyond the critical angle is totally reflected") {
     // d - 2 (n.d) n = (1, 0) - 2 * 0.5 * (0.5, sin 60) = (0.5, -sin 60)
     const double s = std::sqrt(3.0) / 2;
     const std::vector<shared::Ray> rays{{vec3(0, s, 0), 3e38F, vec3(1, 0, 0), 0}};
-    const Bounce b = shade(both, rays, {{vec3(1), 0, 1}}, 1, 0, 1);
+    const Bounce b = shade(both, rays, {{vec3(1), 0, 1, shared::kNone, 0}}, 1, 0, 1);
     REQUIRE(b.alive.host()[0] == 1);
     CHECK(b.alive.host()[1] == 0); // nothing is refracted
     CHECK(distance(b.nextRays.host()[0].direction, dvec3(0.5, -s, 0)) < 1e-6);
@@ -177,7 +177,8 @@ TEST_CASE("a ray that leaves a quad or a sphere does not hit it again at once") 
     for (std::uint32_t i = 0; i < count; ++i) {
         rays.push_back(toDevice({.origin = random.inCube(0.95), .direction = random.direction()}));
     }
-    const Bounce b = shade(both, rays, std::vector<shared::CameraPath>(count, {vec3(1), 0, 1}), 1, 0, 1);
+    const Bounce b =
+        shade(both, rays, std::vector<shared::CameraPath>(count, {vec3(1), 0, 1, shared::kNone, 0}), 1, 0, 1);
     std::vector<shared::Ray> leaving;
     std::vector<std::uint32_t> from;
     for (std::uint32_t i = 0; i < count; ++i) {

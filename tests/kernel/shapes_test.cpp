@@ -35,7 +35,7 @@ Found find(BothSides& both, const std::vector<shared::Ray>& rays) {
     both.run("trace_closest", shared::TraceClosestArguments{deviceRays, hits, count, d.rootNode}, count);
     std::vector<shared::CameraPath> paths(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-        paths[i] = {vec3(1), i, i};
+        paths[i] = {vec3(1), i, i, shared::kNone, 0};
     }
     const auto devicePaths = both.upload(paths);
     const auto points = both.room<shared::VisiblePoint>(count);

@@ -28,15 +28,16 @@ using namespace hyalite::shared; // the names below are the kernels'
 std::map<std::string, HostLayout> hostLayouts() {
     std::map<std::string, HostLayout> layouts;
     HOST_LAYOUT(CameraRecord, position, forward, right, up, width, height);
-    HOST_LAYOUT(MaterialRecord, type, color, ior);
+    HOST_LAYOUT(MaterialRecord, type, color, extinction, ior, roughness, metallic, colorTexture, roughnessTexture);
     HOST_LAYOUT(LightRecord, type, position, edge0, edge1, normal, area, emission, power, pmf, cdf);
     HOST_LAYOUT(InstanceRecord, row0, row1, row2);
     HOST_LAYOUT(Ray, origin, tMax, direction, from);
     HOST_LAYOUT(Hit, t, object, primitive, uv);
-    HOST_LAYOUT(CameraPath, beta, pixel, samplerSeed);
-    HOST_LAYOUT(VisiblePoint, position, depth, normal, samplerSeed, f, pixel, from);
-    HOST_LAYOUT(PhotonPath, power, photon);
+    HOST_LAYOUT(CameraPath, beta, pixel, samplerSeed, medium, pdfW);
+    HOST_LAYOUT(VisiblePoint, position, depth, normal, samplerSeed, f, pixel, from, geometricNormal);
+    HOST_LAYOUT(PhotonPath, power, photon, light, kind, medium);
     HOST_LAYOUT(Photon, position, direction, power, surface);
+    HOST_LAYOUT(PhotonFate, stored, absorbed, escaped, cutOff);
     HOST_LAYOUT(GridRecord, inverseCellSize, bucketMask);
     HOST_LAYOUT(GenerateCameraRaysArguments, rays, paths, camera.position, camera.forward, camera.right, camera.up,
                 camera.width, camera.height, count, seed, pass);
@@ -46,9 +47,9 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(SampleLightsArguments, visiblePoints, lights, shadowRays, contributions, count, lightCount, light, pass,
                 maxDepth);
     HOST_LAYOUT(TraceShadowArguments, shadowRays, contributions, direct, count, rootNode);
-    HOST_LAYOUT(EmitPhotonsArguments, lights, rays, paths, count, lightCount, seed, pass);
-    HOST_LAYOUT(ScatterPhotonArguments, rays, hits, paths, materials, normals, instances, photons, nextRays, nextPaths,
-                alive, count, firstPhoton, depth, maxDepth, seed, pass);
+    HOST_LAYOUT(EmitPhotonsArguments, lights, rays, paths, count, lightCount, sequence);
+    HOST_LAYOUT(ScatterPhotonArguments, rays, hits, paths, materials, normals, instances, photons, fates, nextRays,
+                nextPaths, alive, count, firstPhoton, depth, maxDepth, sequence, kinds, account);
     HOST_LAYOUT(CompactCameraPathsArguments, alive, offsets, nextRays, nextPaths, rays, paths, count);
     HOST_LAYOUT(CompactPhotonPathsArguments, alive, offsets, nextRays, nextPaths, rays, paths, count);
     HOST_LAYOUT(SumChunksArguments, values, sums, count);

@@ -1,5 +1,6 @@
 // Light flux, choice and sampling against closed forms.
 #include "reference/lights.h"
+#include "reference/photons.h"
 
 #include "reference/shading.h"
 #include "unit/reference/support.h"
@@ -27,6 +28,7 @@ VisiblePoint floorPoint() {
     return {.position = {0, 0, 0},
             .shadowOrigin = {0, 0, 0},
             .normal = {0, 1, 0},
+            .geometricNormal = {0, 1, 0},
             .f = dvec3(1 / pi),
             .depth = 1,
             .samplerSeed = 7};
@@ -144,7 +146,7 @@ TEST_CASE("the photons of a pass carry the flux of the lights") {
     dvec3 sum(0);
     int fromPoint = 0;
     for (std::uint32_t photon = 0; photon < 4096; ++photon) {
-        const Emission emission = emitPhoton(world, photon, 3);
+        const Emission emission = emitPhoton(world, photon, progressivePass(world, 3));
         sum += emission.power;
         if (emission.ray.origin == dvec3(0, 1, 0)) {
             ++fromPoint;
@@ -173,7 +175,7 @@ TEST_CASE("photons leave a point light evenly and a quad by the cosine") {
         const World world = prepareWorld(scene);
         dvec3 sum(0);
         for (std::uint32_t photon = 0; photon < 4096; ++photon) {
-            sum += emitPhoton(world, photon, 0).ray.direction;
+            sum += emitPhoton(world, photon, progressivePass(world, 0)).ray.direction;
         }
         return sum / 4096.0;
     };

@@ -19,6 +19,7 @@ VisiblePoint origin(std::uint32_t depth) {
     return {.position = {0, 0, 0},
             .shadowOrigin = {0, 0, 0},
             .normal = {0, 1, 0},
+            .geometricNormal = {0, 1, 0},
             .f = {0.1, 0.2, 0.3},
             .depth = depth,
             .samplerSeed = 0};

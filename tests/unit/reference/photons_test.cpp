@@ -15,6 +15,10 @@ using namespace hyalite::reference::test;
 
 namespace {
 
+std::vector<Photon> photonsOf(const World& world) {
+    return tracePhotons(world, progressivePass(world, 0));
+}
+
 bool sameBits(const Photon& a, const Photon& b) {
     return std::tie(a.photon, a.depth) == std::tie(b.photon, b.depth) && a.position == b.position &&
            a.direction == b.direction && a.normal == b.normal && a.power == b.power;
@@ -49,7 +53,7 @@ dvec3 absorptance(const World& world, const Ray& ray, const Hit& hit) {
 TEST_CASE("stored photons are ascending, indirect, and short enough for a camera path to follow") {
     Scene scene = cornellBox();
     scene.render.maxDepth = 6;
-    const std::vector<Photon> photons = tracePhotons(prepareWorld(scene), 0);
+    const std::vector<Photon> photons = photonsOf(prepareWorld(scene));
     CHECK(photons.size() > 1000);
     for (std::size_t i = 0; i < photons.size(); ++i) {
         CHECK(photons[i].depth >= 2);
@@ -65,9 +69,9 @@ TEST_CASE("stored photons are ascending, indirect, and short enough for a camera
 
 TEST_CASE("every run of a pass stores the same photons, and another pass others") {
     const World world = prepareWorld(cornellBox());
-    const std::vector<Photon> first = tracePhotons(world, 0);
-    const std::vector<Photon> again = tracePhotons(world, 0);
-    const std::vector<Photon> other = tracePhotons(world, 1);
+    const std::vector<Photon> first = tracePhotons(world, progressivePass(world, 0));
+    const std::vector<Photon> again = tracePhotons(world, progressivePass(world, 0));
+    const std::vector<Photon> other = tracePhotons(world, progressivePass(world, 1));
     CHECK(std::equal(first.begin(), first.end(), again.begin(), again.end(), sameBits));
     CHECK_FALSE(std::equal(first.begin(), first.end(), other.begin(), other.end(), sameBits));
 }
@@ -78,15 +82,15 @@ TEST_CASE("photons shared out over the cores are those traced one by one") {
     const World world = prepareWorld(scene);
     std::vector<Photon> expected;
     for (std::uint32_t photon = 0; photon < 3000; ++photon) {
-        const Emission emission = emitPhoton(world, photon, 0);
+        const Emission emission = emitPhoton(world, photon, progressivePass(world, 0));
         std::optional<Ray> ray = emission.ray;
-        PhotonPath path{.power = emission.power, .photon = photon};
+        PhotonPath path{.power = emission.power, .photon = photon, .light = emission.light};
         for (std::uint32_t depth = 1; ray; ++depth) {
             const auto hit = traceClosest(world, *ray);
             if (!hit) {
                 break;
             }
-            const PhotonScatter scatter = scatterPhoton(world, *ray, *hit, path, depth, 0);
+            const PhotonScatter scatter = scatterPhoton(world, *ray, *hit, path, depth, progressivePass(world, 0));
             if (scatter.stored) {
                 expected.push_back(*scatter.stored);
             }
@@ -94,7 +98,7 @@ TEST_CASE("photons shared out over the cores are those traced one by one") {
             path = scatter.path;
         }
     }
-    const std::vector<Photon> actual = tracePhotons(world, 0);
+    const std::vector<Photon> actual = tracePhotons(world, progressivePass(world, 0));
     CHECK(std::equal(actual.begin(), actual.end(), expected.begin(), expected.end(), sameBits));
 }
 
@@ -111,10 +115,10 @@ TEST_CASE("emitted flux is absorbed or escapes, channel by channel") {
     dvec3 sum(0);
     dvec3 sum2(0);
     for (std::uint32_t photon = 0; photon < scene.render.photons; ++photon) {
-        const Emission emission = emitPhoton(world, photon, 0);
+        const Emission emission = emitPhoton(world, photon, progressivePass(world, 0));
         dvec3 x = -emission.power;
         std::optional<Ray> ray = emission.ray;
-        PhotonPath path{.power = emission.power, .photon = photon};
+        PhotonPath path{.power = emission.power, .photon = photon, .light = emission.light};
         for (std::uint32_t depth = 1; ray; ++depth) {
             const auto hit = traceClosest(world, *ray);
             if (!hit) {
@@ -123,7 +127,7 @@ TEST_CASE("emitted flux is absorbed or escapes, channel by channel") {
                 break;
             }
             x += path.power * absorptance(world, *ray, *hit);
-            const PhotonScatter scatter = scatterPhoton(world, *ray, *hit, path, depth, 0);
+            const PhotonScatter scatter = scatterPhoton(world, *ray, *hit, path, depth, progressivePass(world, 0));
             ray = scatter.next;
             path = scatter.path;
         }
@@ -148,7 +152,7 @@ TEST_CASE("in a closed sphere each bounce stores the flux times a power of the a
     scene.render.photons = 20000;
     scene.render.maxDepth = 6;
     std::array<double, 6> power{};
-    for (const Photon& photon : tracePhotons(prepareWorld(scene), 0)) {
+    for (const Photon& photon : photonsOf(prepareWorld(scene))) {
         power.at(photon.depth) += photon.power.x;
         checkNear(photon.normal, -photon.position, 1e-12); // inwards
         CHECK_THAT(glm::length(photon.position), WithinAbs(1, 1e-15));
@@ -172,7 +176,7 @@ TEST_CASE("photons through glass keep their flux, whatever the index does to rad
     addObject(scene, Quad{{-0.5, 2, -0.5}, {1, 0, 0}, {0, 0, 1}}, std::nullopt, dvec3(1)); // down
     scene.render.photons = 1000;
     scene.render.maxDepth = 20;
-    const std::vector<Photon> photons = tracePhotons(prepareWorld(scene), 0);
+    const std::vector<Photon> photons = photonsOf(prepareWorld(scene));
     CHECK(photons.size() > 800); // a diffuse beam loses about a tenth at two boundaries
     CHECK(photons.size() < 1000);
     for (const Photon& photon : photons) {

@@ -36,7 +36,7 @@ TEST_CASE("a point light over an open floor gives albedo / pi I cos / d^2 by the
     scene.lights = {{.position = {1, 2, 0}, .intensity = dvec3(10)}};
     scene.render.photons = 500;
     const World world = prepareWorld(scene);
-    const PhotonMap photons(tracePhotons(world, 0));
+    const PhotonMap photons(tracePhotons(world, progressivePass(world, 0)));
     CHECK(photons.photons().empty());
     const double expected = 0.6 / pi * 10 * 2 / (5 * std::sqrt(5.0));
     CHECK_THAT(ppmRadiance(world, photons, 0.1, 0, 0).x, WithinRel(expected, 1e-3)); // the footprint, see whitted
@@ -126,8 +126,8 @@ TEST_CASE("the same scene and seed give the same bits, another seed others") {
 TEST_CASE("the picture shared out over the cores is the mean of its pixels taken one by one") {
     const Scene scene = cornellBox();
     const World world = prepareWorld(scene);
-    const PhotonMap first(tracePhotons(world, 0));
-    const PhotonMap second(tracePhotons(world, 1));
+    const PhotonMap first(tracePhotons(world, progressivePass(world, 0)));
+    const PhotonMap second(tracePhotons(world, progressivePass(world, 1)));
     const double radius2 = world.initialRadius * world.initialRadius;
     const double secondRadius = std::sqrt(nextRadius2(radius2, 0, scene.render.alpha));
     const Image image = render(scene);
