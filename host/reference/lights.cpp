@@ -172,6 +172,9 @@ std::optional<LightSample> sampleLight(const World& world, const VisiblePoint& x
 }
 
 Emission emitPhoton(const World& world, std::uint32_t photon, const PhotonPass& pass) {
+    if (pass.aimed) {
+        return emitAimedPhoton(world, photon, pass);
+    }
     const shared::Sampler sampler = shared::photonSampler(pass.sequence, photon);
     const std::uint32_t index = chooseLight(world.lights, sampleUnitSquare(sampler, shared::kPhotonLight).x);
     const Light& light = world.lights[index];

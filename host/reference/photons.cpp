@@ -12,10 +12,6 @@ namespace hyalite::reference {
 
 namespace {
 
-std::uint32_t kindBit(PhotonKind kind) {
-    return 1U << static_cast<std::uint32_t>(kind);
-}
-
 bool isWanted(PhotonKind kind, const PhotonPass& pass) {
     return (pass.kinds & kindBit(kind)) != 0;
 }
@@ -116,11 +112,19 @@ std::vector<Photon> tracePhotons(const World& world, const PhotonPass& pass) {
                         pass, blocks[begin / kBlock]);
         }
     });
+    return joined(blocks);
+}
+
+std::vector<Photon> joined(const std::vector<std::vector<Photon>>& blocks) {
     std::vector<Photon> photons;
     for (const std::vector<Photon>& block : blocks) {
         photons.insert(photons.end(), block.begin(), block.end());
     }
     return photons;
+}
+
+bool hasDiffusePart(const Material& material) {
+    return std::holds_alternative<Diffuse>(material.model);
 }
 
 } // namespace hyalite::reference

@@ -1,6 +1,7 @@
 // Picks the integrator.
 #include "reference/render.h"
 
+#include "reference/photon_mapping.h"
 #include "reference/ppm.h"
 #include "reference/whitted.h"
 
@@ -17,6 +18,8 @@ LayeredImage render(const Scene& scene, const RenderOptions& options) {
     switch (scene.render.integrator) {
     case Integrator::Whitted:
         return {.picture = renderWhitted(world, options), .layers = {}};
+    case Integrator::PhotonMap:
+        return renderPhotonMap(world, options);
     case Integrator::Ppm:
         return {.picture = renderPpm(world, options), .layers = {}};
     }

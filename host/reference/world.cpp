@@ -1,6 +1,7 @@
 // Preparing the scene, and the two questions rays ask of it: what is nearest, and is the way free.
 #include "reference/world.h"
 
+#include "geometry/specular_targets.h"
 #include "scene/bounds.h"
 
 #include <algorithm>
@@ -151,6 +152,9 @@ World prepareWorld(const Scene& scene) {
     World world{.camera = makeCameraFrame(scene.camera, scene.file),
                 .render = scene.render,
                 .initialRadius = initialRadius(scene),
+                .globalRadius = globalSearchRadius(scene),
+                .causticRadius = causticSearchRadius(scene),
+                .targets = specularTargets(scene),
                 .materials = scene.materials,
                 .objects = scene.objects,
                 .csgLeaves = scene.csgLeaves,

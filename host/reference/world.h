@@ -2,6 +2,7 @@
 // over the objects and one over each mesh. Value type; the renderers only read it.
 #pragma once
 
+#include "geometry/bounding_sphere.h"
 #include "reference/bvh.h"
 #include "reference/camera.h"
 #include "reference/csg.h"
@@ -23,6 +24,9 @@ struct World {
     CameraFrame camera;
     RenderSettings render;
     double initialRadius = 0; // ppm: search radius of pass 0 [m]
+    double globalRadius = 0;  // photonmap: photons of an estimate lie no farther [m]
+    double causticRadius = 0; // photonmap: those of caustics [m]
+    std::vector<BoundingSphere> targets; // photonmap: what caustic photons are aimed at
     std::vector<Material> materials;
     std::vector<Object> objects;
     std::vector<Object> csgLeaves;

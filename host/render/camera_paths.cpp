@@ -18,6 +18,15 @@ void CameraPaths::generate(std::uint32_t pass) {
                          queue_.count);
 }
 
+void CameraPaths::compact(std::uint32_t slots) {
+    const std::uint32_t alive = countAlive(device_, prefixSum_, queue_, slots);
+    device_.commands.run(compactCameraPaths_,
+                         shared::CompactCameraPathsArguments{queue_.alive, queue_.offsets, queue_.nextRays,
+                                                             queue_.nextPaths, queue_.rays, queue_.paths, slots},
+                         alive > 0 ? slots : 0);
+    queue_.count = alive;
+}
+
 std::uint64_t CameraPaths::follow(std::uint32_t pass, const gpu::Array<shared::VisiblePoint>& visiblePoints,
                                   const gpu::Array<glm::vec3>& emitted) {
     gpu::Commands& commands = device_.commands;
@@ -35,12 +44,7 @@ std::uint64_t CameraPaths::follow(std::uint32_t pass, const gpu::Array<shared::V
                                                    /*split*/ 0, /*minWeight*/ 0},
                      queue.count);
         rays += queue.count;
-        const std::uint32_t alive = countAlive(device_, prefixSum_, queue, queue.count);
-        commands.run(compactCameraPaths_,
-                     shared::CompactCameraPathsArguments{queue.alive, queue.offsets, queue.nextRays, queue.nextPaths,
-                                                         queue.rays, queue.paths, queue.count},
-                     alive > 0 ? queue.count : 0);
-        queue.count = alive;
+        compact(queue.count);
     }
     return rays;
 }

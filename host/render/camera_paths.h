@@ -17,6 +17,9 @@ public:
     // Fills the queue with the rays of a pass through the lens.
     void generate(std::uint32_t pass);
 
+    // Puts the living among the first `slots` next rays into the queue, in order.
+    void compact(std::uint32_t slots);
+
     // Follows what the queue holds. Per pixel: where its path ends on a diffuse surface, and the emission on the way
     // [W/(m^2 sr)]; pixels without a path in the queue are left as they are. Returns the number of rays traced.
     std::uint64_t follow(std::uint32_t pass, const gpu::Array<shared::VisiblePoint>& visiblePoints,

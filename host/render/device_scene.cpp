@@ -1,5 +1,6 @@
 #include "render/device_scene.h"
 
+#include "geometry/specular_targets.h"
 #include "render/mesh_tables.h"
 #include "render/object_table.h"
 
@@ -144,7 +145,15 @@ DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, c
     }
     const std::vector<shared::LightRecord> lights = lightRecords(scene);
 
+    std::vector<shared::TargetRecord> targets;
+    for (const BoundingSphere& sphere : specularTargets(scene)) {
+        const bool endless = std::isinf(sphere.radius);
+        targets.push_back({sphere.center, endless ? 3e38F : static_cast<float>(sphere.radius)});
+    }
+
     DeviceScene device;
+    device.targets = {context, std::span<const shared::TargetRecord>(targets), "targets"};
+    device.targetCount = static_cast<std::uint32_t>(targets.size());
     device.camera = cameraRecord(scene.camera);
     device.rootNode = objects.rootNode;
     device.lightCount = static_cast<std::uint32_t>(lights.size());

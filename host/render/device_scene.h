@@ -20,6 +20,8 @@ struct DeviceScene {
     gpu::Array<glm::vec4> triangles;
     std::uint32_t rootNode = 0;
     std::uint32_t lightCount = 0;
+    gpu::Array<shared::TargetRecord> targets; // what caustic photons are aimed at
+    std::uint32_t targetCount = 0;
     std::vector<std::uint32_t> objectOf;   // see ObjectTable
     std::vector<std::uint32_t> leafOf;     // see ObjectTable
     std::vector<std::uint32_t> triangleOf; // see MeshTables::fileOrder

@@ -140,4 +140,13 @@ double initialRadius(const Scene& scene) {
     return scene.render.radius > 0 ? scene.render.radius : sceneRadius(scene) / 100;
 }
 
+double globalSearchRadius(const Scene& scene) {
+    return scene.render.radius > 0 ? scene.render.radius : sceneRadius(scene) / 8;
+}
+
+double causticSearchRadius(const Scene& scene) {
+    const double radius = scene.render.photonMap.causticRadius;
+    return radius > 0 ? radius : sceneRadius(scene) / 25;
+}
+
 } // namespace hyalite

@@ -22,7 +22,29 @@ struct Camera {
     glm::uvec2 resolution{512, 512};
 };
 
-enum class Integrator { Whitted, Ppm };
+enum class Integrator { Whitted, Ppm, PhotonMap };
+
+// Integrator photonmap: two passes, photons from the lights and rays from the eye [Jensen01].
+enum class PhotonStructure { KdTree, Grid };
+enum class DensityFilter { None, Cone, Gaussian };
+enum class PhotonView { Picture, GlobalMap, CausticMap, Photons, Radius };
+
+struct PhotonMapSettings {
+    std::uint32_t causticPhotons = 100000; // aimed at mirrors and glass, besides RenderSettings::photons; 0: none
+    bool projectionMap = true;             // aim them; false: emit them like the others
+    PhotonStructure structure = PhotonStructure::KdTree;
+    std::uint32_t nearest = 100;        // photons of one estimate from the global map
+    std::uint32_t causticNearest = 60;  // and from the caustic map
+    double causticRadius = 0;           // they lie no farther than this [m]; 0: 1/25 of the radius of the scene's sphere
+    DensityFilter filter = DensityFilter::None;
+    DensityFilter causticFilter = DensityFilter::Cone;
+    double coneConstant = 1.1;          // k of the cone filter, >= 1
+    bool differentialChecking = false;  // stop an estimate from the caustic map where it would blur an edge
+    std::uint32_t gatherRays = 1;       // of final gathering, per sample; 0: indirect light straight from the global map
+    bool precomputedIrradiance = true;  // final gathering looks up irradiance computed at the photons beforehand
+    std::uint32_t shadowPhotons = 0;    // so many that agree replace a shadow ray; 0: all shadow rays are traced
+    PhotonView view = PhotonView::Picture;
+};
 
 struct RenderSettings {
     Integrator integrator = Integrator::Ppm;
@@ -31,11 +53,12 @@ struct RenderSettings {
     std::uint32_t passes = 64;      // >= 1
     std::uint32_t photons = 200000; // emitted per pass, >= 1
     std::uint32_t seed = 1;
-    double radius =
-        0; // ppm: search radius of the first pass [m]; 0: 1/100 of the radius of the scene's bounding sphere
+    double radius = 0; // [m]; ppm: search radius of the first pass, 0: 1/100 of the radius of the scene's bounding
+                       // sphere; photonmap: the photons of an estimate lie no farther, 0: 1/8 of that radius
     double alpha = 2.0 / 3.0; // ppm: how much of the photons a shrinking radius keeps [Knaus11], in (0, 1)
     double minWeight =
         1.0 / 1024; // whitted: rays that would add less than this share to the pixel are not followed; 0: all are
+    PhotonMapSettings photonMap;
 };
 
 struct Diffuse {

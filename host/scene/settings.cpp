@@ -1,6 +1,7 @@
 // See settings.h.
 #include "scene/settings.h"
 
+#include "scene/photon_map_settings.h"
 #include "scene/scene_limits.h"
 #include "scene/spelling.h"
 #include "shaders/shared/limits.h"
@@ -25,9 +26,10 @@ constexpr Range kShare{0, 1};
 constexpr Range kWhittedDepth{0, shared::kMaxDepth - 1};
 constexpr Range kPpmDepth{1, shared::kMaxDepth};
 
-constexpr std::array<Choice<Integrator>, 2> kIntegrators{{
+constexpr std::array<Choice<Integrator>, 3> kIntegrators{{
     {"whitted", Integrator::Whitted},
     {"ppm", Integrator::Ppm},
+    {"photonmap", Integrator::PhotonMap},
 }};
 
 // The place of a key, or of the map around it when the key is not written there.
@@ -76,6 +78,7 @@ void readRenderSettings(const Value& value, RenderSettings& render) {
     reader.optional("radius", render.radius, kSearchRadius);
     reader.optional("alpha", render.alpha, kAlpha);
     reader.optional("min_weight", render.minWeight, kShare);
+    readPhotonMapSettings(reader, render.photonMap);
 
     // Checked even when the key is absent: the integrator may be what changed.
     const Range& depth = render.integrator == Integrator::Whitted ? kWhittedDepth : kPpmDepth;

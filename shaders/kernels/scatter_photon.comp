@@ -17,7 +17,9 @@ bool isWanted(uint kind) {
 }
 
 void store(uint slot, Surface s, vec3 direction, PhotonPath path) {
-    args.photons.at[slot] = Photon(s.position, packUnitVector(-direction, kDirectionBits), path.power,
+    bool marked = (path.photon + args.depth) % kMarkEvery == 0u;
+    uint mark = marked ? kMarkedPhoton : 0u;
+    args.photons.at[slot] = Photon(s.position, packUnitVector(-direction, kDirectionBits) | mark, path.power,
                                    packSurface(s.normal, path.kind,
                                                path.kind == kPhotonDirect ? path.light : args.depth));
 }

@@ -4,6 +4,7 @@
 #define HYALITE_SHARED_KERNEL_ARGUMENTS_H
 #include "grid.h"
 #include "path_records.h"
+#include "photon_map.h"
 #include "scene_records.h"
 SHARED_BEGIN
 
@@ -74,6 +75,17 @@ struct EmitPhotonsArguments {
     uint sequence; // seed of the photons' samplers, see photonSampler
 };
 
+struct EmitCausticPhotonsArguments {
+    LightArray lights;
+    TargetArray targets;
+    RayArray rays;         // out
+    PhotonPathArray paths; // out
+    uint count;            // photons emitted
+    uint lightCount;
+    uint targetCount;
+    uint sequence; // seed of the photons' samplers, see photonSampler
+};
+
 struct ScatterPhotonArguments {
     RayArray rays;
     HitArray hits;
@@ -93,6 +105,22 @@ struct ScatterPhotonArguments {
     uint sequence; // seed of the photons' samplers, see photonSampler
     uint kinds;    // bit kPhoton… is set for every kind that is to be stored; paths that can store no more end
     uint account;  // 1: keep account of what becomes of the flux
+};
+
+// Follows photons straight on, through whatever they meet.
+struct CastShadowPhotonsArguments {
+    RayArray rays;
+    HitArray hits;
+    PhotonPathArray paths;
+    MaterialArray materials;
+    NormalArray normals;
+    InstanceArray instances;
+    PhotonArray photons;       // out, at firstPhoton + thread; surface = kNone where none is stored
+    RayArray nextRays;         // out
+    PhotonPathArray nextPaths; // out
+    UintArray alive;           // out
+    uint count;
+    uint firstPhoton;
 };
 
 struct CompactCameraPathsArguments {
@@ -170,6 +198,75 @@ struct GatherRadianceArguments {
     uint maxDepth;
 };
 
+// Starts final gathering: one ray from each visible point into its hemisphere.
+struct StartGatherRaysArguments {
+    VisiblePointArray visiblePoints;
+    RayArray rays;         // out
+    CameraPathArray paths; // out
+    UintArray alive;       // out
+    uint count;
+    uint index; // of the rays among all rays of a visible point: pass * rays per pass + ray
+};
+
+// Makes visible points of the photons that are marked, so that their irradiance can be estimated.
+struct BeginIrradianceArguments {
+    PhotonArray photons;
+    VisiblePointArray visiblePoints; // out; depth = 0 where there is none
+    uint count;                      // photon slots
+};
+
+// Turns the marked photons into records of irradiance.
+struct StoreIrradianceArguments {
+    PhotonArray photons;
+    ColorArray irradiance; // [W/m^2]
+    PhotonArray records;   // out; power is the irradiance; surface = kNone where there is none
+    uint count;            // photon slots
+};
+
+// Adds the radiance that the nearest record of irradiance gives each visible point.
+struct LookUpIrradianceArguments {
+    VisiblePointArray visiblePoints;
+    ColorArray gathered; // in and out: radiance [W/(m^2 sr)]
+    PhotonMapRecord map; // of the records
+    float radius;        // no farther than this [m]
+    float scale;         // 1 / gather rays
+    uint count;
+};
+
+// Decides which lights are seen from visible points, by the direct and shadow photons about them.
+struct ClassifyVisibilityArguments {
+    VisiblePointArray visiblePoints;
+    UintArray lit;       // out: bit i is set where light i is seen
+    UintArray shadowed;  // out: bit i is set where it is not
+    PhotonMapRecord map; // of direct and shadow photons
+    uint lightCount;
+    uint nearest;  // photons looked at
+    uint agreeing; // photons of a light that have to agree
+    float radius;  // none farther than this [m]
+    uint count;
+};
+
+// Spares the shadow rays to a light whose visibility is known.
+struct SkipShadowRaysArguments {
+    UintArray lit;
+    UintArray shadowed;
+    RayArray shadowRays;      // in and out; tMax = 0: nothing to trace
+    ColorArray contributions;
+    ColorArray direct;        // in and out
+    UintArray counts;         // in and out: rays spared, rays left
+    uint light;
+    uint count;
+};
+
+// Draws photons as points: counts per pixel those that the camera sees.
+struct SplatPhotonsArguments {
+    PhotonArray photons;
+    UintArray counts; // in and out, four per pixel, by kind
+    CameraRecord camera;
+    uint count;
+    uint rootNode;
+};
+
 // Adds what several paths of one pixel carry, in their order: the first path of each run of equal pixels adds them all.
 struct SumPathsArguments {
     CameraPathArray paths;
@@ -183,6 +280,7 @@ struct AccumulateFilmArguments {
     ColorArray colors;
     ColorArray film; // in and out: sums over passes
     uint count;      // pixels
+    float scale;     // of the colours
 };
 
 struct ResolveFilmArguments {

@@ -19,6 +19,12 @@ SHARED_CONSTANT kMaxCsgLeaves = 32u;
 // Longest path, in segments; a photon stores its length in 8 bits.
 SHARED_CONSTANT kMaxDepth = 255u;
 
+// Photons of one estimate, whose heap is private to a thread: at 512 it takes 4 KiB of its stack.
+SHARED_CONSTANT kMaxNearest = 512u;
+
+// Lights whose visibility shadow photons may tell; the rest is asked by shadow rays.
+SHARED_CONSTANT kMostClassifiedLights = 16u;
+
 // Marks "no object", "no light", "no material" in 32-bit indices.
 SHARED_CONSTANT kNone = 0xffffffffu;
 

@@ -78,6 +78,8 @@ struct Photon {
 DEVICE_ARRAY(Photon, PhotonArray);
 SHARED_CONSTANT kDirectionBits = 15u;
 SHARED_CONSTANT kSplitAxisShift = 30u;
+SHARED_CONSTANT kMarkedPhoton = 0x80000000u; // before it is sorted: its irradiance is to be precomputed
+SHARED_CONSTANT kMarkEvery = 4u;             // one photon of so many
 SHARED_CONSTANT kNormalBits = 11u;
 SHARED_CONSTANT kKindShift = 22u;
 SHARED_CONSTANT kLengthShift = 24u;

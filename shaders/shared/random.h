@@ -63,6 +63,7 @@ SHARED_FUNCTION Sampler cameraSampler(uint seed, uint pass, uint pixel) {
 // Photon paths: one sequence per pass and purpose, whose successive points are the photons emitted.
 SHARED_CONSTANT kGlobalPhotons = 1u;
 SHARED_CONSTANT kCausticPhotons = 2u;
+SHARED_CONSTANT kShadowPhotons = 3u;
 
 SHARED_FUNCTION uint photonSequence(uint seed, uint purpose, uint pass) {
     return hashCombine(hashCombine(seed, purpose), pass);
@@ -96,6 +97,12 @@ SHARED_FUNCTION uint cameraLightPoint(uint vertex) { // point on the light
 SHARED_FUNCTION uint cameraLightChoice(uint vertex) { // x: which light
     return 4u + 3u * vertex;
 }
+
+// Final gathering: the rays from a visible point have a sequence of their own, numbered over all passes.
+SHARED_FUNCTION uint gatherSequence(uint samplerSeed) {
+    return hashCombine(samplerSeed, 64u);
+}
+SHARED_CONSTANT kGatherDirection = 0u;
 
 SHARED_CONSTANT kPhotonLight = 0u;     // x: which light emits, y: which target it aims at
 SHARED_CONSTANT kPhotonOrigin = 1u;    // point on the light

@@ -50,6 +50,13 @@ struct LightRecord {
 };
 DEVICE_ARRAY(LightRecord, LightArray);
 
+// A sphere that holds something specular: caustic photons are aimed at it.
+struct TargetRecord {
+    vec3 center;  // world [m]
+    float radius; // [m]; 3e38: it has no end
+};
+DEVICE_ARRAY(TargetRecord, TargetArray);
+
 // An object is eight texels of the object table; the fourth is (type and flags, material, light, root) as bits, and the
 // others hold what the shape needs:
 //   sphere:      0 (center, radius)
