@@ -58,6 +58,16 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(FillCellsArguments, photons, cellStarts, ranks, order, grid.inverseCellSize, grid.bucketMask, count);
     HOST_LAYOUT(OrderCellsArguments, cellStarts, order, count);
     HOST_LAYOUT(SortPhotonsArguments, photons, order, sorted, count);
+    HOST_LAYOUT(MarkPhotonsArguments, photons, marks, count);
+    HOST_LAYOUT(KeyedPhoton, key, photon);
+    HOST_LAYOUT(KeyPhotonsArguments, photons, numbers, slots, keys, pairs, count, stored);
+    HOST_LAYOUT(CountDigitsArguments, pairs, counts, count, stored, shift);
+    HOST_LAYOUT(SortDigitsArguments, pairs, places, sorted, keys, lists, count, stored, shift, last);
+    HOST_LAYOUT(SplitNodesArguments, lists, splits, nodes, count, level, stored);
+    HOST_LAYOUT(CountSidesArguments, lists, splits, nodes, counts, count, level, chunks, stored);
+    HOST_LAYOUT(PartSidesArguments, lists, splits, nodes, sums, parted, count, level, chunks, stored);
+    HOST_LAYOUT(FinishSubtreesArguments, lists, others, nodes, count, level, stored);
+    HOST_LAYOUT(PlacePhotonsArguments, photons, nodes, slots, sorted, order, count);
     HOST_LAYOUT(GatherRadianceArguments, visiblePoints, cellStarts, gathered, grid.inverseCellSize, grid.bucketMask,
                 radius, count, maxDepth);
     HOST_LAYOUT(SumPathsArguments, paths, emitted, direct, radiance, count);
