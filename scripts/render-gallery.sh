@@ -27,3 +27,9 @@ picture csg csg
 picture csg-cube csg-cube
 picture glass-teapot glass-teapot
 picture instances instances
+picture cornell-global cornell-box --set render.gather_rays=0
+picture cornell-gather cornell-box
+picture glass-ball glass-ball
+picture caustic-ring caustic-ring
+picture room-through-gap room-through-gap
+picture teapot-caustic teapot-caustic

@@ -20,26 +20,25 @@ namespace {
 
 using std::numbers::pi;
 
-EstimateOptions globalOptions(const World& world, std::uint32_t kinds) {
+RadianceEstimateOptions globalOptions(const World& world, std::uint32_t kinds) {
     const PhotonMapSettings& settings = world.render.photonMap;
     return {.nearest = settings.nearest,
             .radius = world.globalRadius,
-            .filter = settings.filter,
-            .coneConstant = settings.coneConstant,
-            .differentialChecking = false,
             .kinds = kinds,
-            .maxDepth = world.render.maxDepth};
+            .maxDepth = world.render.maxDepth,
+            .filter = settings.filter,
+            .coneConstant = settings.coneConstant};
 }
 
-EstimateOptions causticOptions(const World& world) {
+RadianceEstimateOptions causticOptions(const World& world) {
     const PhotonMapSettings& settings = world.render.photonMap;
     return {.nearest = settings.causticNearest,
             .radius = world.causticRadius,
+            .kinds = kindBit(PhotonKind::Caustic),
+            .maxDepth = world.render.maxDepth,
             .filter = settings.causticFilter,
             .coneConstant = settings.coneConstant,
-            .differentialChecking = settings.differentialChecking,
-            .kinds = kindBit(PhotonKind::Caustic),
-            .maxDepth = world.render.maxDepth};
+            .maxChange = settings.differentialChecking ? 0.5 : 0};
 }
 
 constexpr std::uint32_t kGlobalKinds = 1U << static_cast<std::uint32_t>(PhotonKind::Direct) |
@@ -82,7 +81,7 @@ PhotonMap computeIrradiance(const World& world, const PhotonMap& global) {
                                  .f = glm::dvec3(1),
                                  .depth = 1,
                                  .samplerSeed = 0};
-            records[i].power = estimateRadiance(global, x, globalOptions(world, kGlobalKinds));
+            records[i].power = estimateRadiance(global, x, globalOptions(world, kGlobalKinds)).radiance;
         }
     });
     return PhotonMap(std::move(records));
@@ -91,13 +90,13 @@ PhotonMap computeIrradiance(const World& world, const PhotonMap& global) {
 // The light that a gathering ray finds at a diffuse surface: all of it.
 glm::dvec3 lookUp(const World& world, const PhotonMaps& maps, const VisiblePoint& y) {
     if (!maps.irradiance) {
-        return estimateRadiance(maps.global, y, globalOptions(world, kGlobalKinds));
+        return estimateRadiance(maps.global, y, globalOptions(world, kGlobalKinds)).radiance;
     }
     const auto sameSide = [&](const Photon& photon) {
         return glm::dot(photon.normal, y.normal) > 0.5 && glm::dot(photon.direction, y.normal) > 0;
     };
-    const std::vector<std::uint32_t> nearest = maps.irradiance->nearest(y.position, 1, world.globalRadius, sameSide);
-    return nearest.empty() ? glm::dvec3(0) : y.f * maps.irradiance->photons()[nearest.front()].power;
+    const auto nearest = maps.irradiance->nearest(y.position, 1, world.globalRadius, sameSide);
+    return nearest.empty() ? glm::dvec3(0) : y.f * maps.irradiance->photons()[nearest.front().index].power;
 }
 
 // Follows a path through mirrors and glass to the first diffuse surface and sums what `visit` says of it.
@@ -165,11 +164,11 @@ LightComponents lightAt(const World& world, const PhotonMaps& maps, const Visibl
     LightComponents light;
     light.direct = directLight(world, maps, x, pass);
     if (maps.caustic) {
-        light.caustic = estimateRadiance(*maps.caustic, x, causticOptions(world));
+        light.caustic = estimateRadiance(*maps.caustic, x, causticOptions(world)).radiance;
     }
     light.indirect = world.render.photonMap.gatherRays > 0
                          ? finalGather(world, maps, x, pass)
-                         : estimateRadiance(maps.global, x, globalOptions(world, kindBit(PhotonKind::Indirect)));
+                         : estimateRadiance(maps.global, x, globalOptions(world, kindBit(PhotonKind::Indirect))).radiance;
     return light;
 }
 

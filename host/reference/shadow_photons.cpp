@@ -60,8 +60,8 @@ Visibility classifyVisibility(const PhotonMap& map, const VisiblePoint& x, std::
     const auto sameSide = [&](const Photon& photon) {
         return glm::dot(photon.normal, x.normal) > 0.5 && glm::dot(photon.direction, x.normal) > 0;
     };
-    for (const std::uint32_t index : map.nearest(x.position, nearest, radius, sameSide)) {
-        const Photon& photon = map.photons()[index];
+    for (const PhotonMap::Neighbour& neighbour : map.nearest(x.position, nearest, radius, sameSide)) {
+        const Photon& photon = map.photons()[neighbour.index];
         if (photon.light < shared::kMostClassifiedLights) {
             ++(photon.kind == PhotonKind::Direct ? direct : shadow).at(photon.light);
         }

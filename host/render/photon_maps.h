@@ -4,6 +4,7 @@
 
 #include "render/photon_file.h"
 #include "render/photon_paths.h"
+#include "render/photon_query.h"
 #include "render/searchable_map.h"
 #include "render/shadow_photons.h"
 
@@ -28,32 +29,36 @@ public:
     // Radiance [W/(m^2 sr)] at each visible point, from the photons of `kinds` in the global map, or from the caustic
     // map. `radii`: of the estimates [m].
     void estimateGlobal(const gpu::Array<shared::VisiblePoint>& x, std::uint32_t kinds,
-                        const gpu::Array<glm::vec3>& gathered, const gpu::Array<float>& radii);
+                        const gpu::Array<glm::vec3>& gathered, const gpu::Array<float>& radii) const;
     void estimateCaustics(const gpu::Array<shared::VisiblePoint>& x, const gpu::Array<glm::vec3>& gathered,
-                          const gpu::Array<float>& radii);
+                          const gpu::Array<float>& radii) const;
     // Adds the radiance that records of irradiance give the visible points, times `scale`.
-    void addIrradiance(const gpu::Array<shared::VisiblePoint>& y, const gpu::Array<glm::vec3>& gathered, float scale);
+    void addIrradiance(const gpu::Array<shared::VisiblePoint>& y, const gpu::Array<glm::vec3>& gathered,
+                       float scale) const;
     // Which lights are seen from the visible points; only where settings ask for shadow photons.
     void classify(const gpu::Array<shared::VisiblePoint>& x, const gpu::Array<shared::uint>& lit,
-                  const gpu::Array<shared::uint>& shadowed);
+                  const gpu::Array<shared::uint>& shadowed) const;
 
     // Counts the photons that the camera sees, per pixel and kind.
-    void splat(const gpu::Array<shared::uint>& counts);
+    void splat(const gpu::Array<shared::uint>& counts) const;
 
     [[nodiscard]] bool hasTargets() const { return deviceScene_.targetCount > 0; }
     [[nodiscard]] const std::vector<LightBalance>& balance() const { return balance_; }
     [[nodiscard]] std::uint64_t raysTraced() const { return raysTraced_; }
 
 private:
-    void computeIrradiance(const gpu::Array<shared::Photon>& photons);
-    void estimate(const SearchableMap& map, const gpu::Array<shared::VisiblePoint>& x,
-                  const shared::EstimateSettings& settings, std::uint32_t nearest, const gpu::Array<glm::vec3>& gathered,
-                  const gpu::Array<float>& radii);
-    [[nodiscard]] gpu::Kernel queryKernel(const std::string& name, std::uint32_t nearest) const;
+    [[nodiscard]] std::vector<shared::Photon> traceGlobal();
+    [[nodiscard]] std::vector<shared::Photon> traceCaustics();
+    [[nodiscard]] std::vector<shared::Photon> castShadows();
+    [[nodiscard]] std::uint32_t sortInto(SearchableMap& map, const gpu::Array<shared::Photon>& photons,
+                                         std::uint32_t base, float radius) const;
+    [[nodiscard]] gpu::Array<shared::Photon> computeIrradiance(const gpu::Array<shared::Photon>& photons) const;
+    [[nodiscard]] std::uint32_t classifiedNearest() const;
 
     Device& device_;
     const Scene& scene_;
     const DeviceScene& deviceScene_;
+    const PhotonMapSettings& settings_;
     float globalRadius_;
     float causticRadius_;
     PhotonLists lists_;
@@ -65,8 +70,8 @@ private:
     SearchableMap caustic_;
     SearchableMap shadow_;
     SearchableMap irradiance_;
-    gpu::Kernel estimateGlobal_;
-    gpu::Kernel estimateCaustics_;
+    RadianceEstimate estimateGlobal_;
+    RadianceEstimate estimateCaustics_;
     gpu::Kernel lookUpIrradiance_;
     gpu::Kernel classifyVisibility_;
 };

@@ -16,13 +16,13 @@ constexpr Range kGatherRays{0, 4096};
 constexpr Range kAgreeing{0, 64};
 
 constexpr std::array<Choice<PhotonStructure>, 2> kStructures{{
-    {"kdtree", PhotonStructure::KdTree},
+    {"kdtree", PhotonStructure::Tree},
     {"grid", PhotonStructure::Grid},
 }};
-constexpr std::array<Choice<DensityFilter>, 3> kFilters{{
-    {"none", DensityFilter::None},
-    {"cone", DensityFilter::Cone},
-    {"gaussian", DensityFilter::Gaussian},
+constexpr std::array<Choice<PhotonFilter>, 3> kFilters{{
+    {"none", PhotonFilter::None},
+    {"cone", PhotonFilter::Cone},
+    {"gaussian", PhotonFilter::Gaussian},
 }};
 constexpr std::array<Choice<PhotonView>, 5> kViews{{
     {"picture", PhotonView::Picture},

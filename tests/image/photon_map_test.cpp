@@ -58,7 +58,7 @@ Scene litSphere() {
 constexpr double kSphereError = 0.065;
 
 TEST_CASE("the global map of a lit sphere shows the same radiance everywhere, by tree and grid, on both sides") {
-    for (const PhotonStructure structure : {PhotonStructure::KdTree, PhotonStructure::Grid}) {
+    for (const PhotonStructure structure : {PhotonStructure::Tree, PhotonStructure::Grid}) {
         Scene scene = litSphere();
         scene.render.photonMap.structure = structure;
         scene.render.photonMap.view = PhotonView::GlobalMap;
@@ -104,7 +104,7 @@ TEST_CASE("the direct photons of a floor under a point light give its irradiance
     scene.render.photons = 500000;
     scene.render.radius = 0.2;
     scene.render.photonMap.view = PhotonView::GlobalMap;
-    for (const DensityFilter filter : {DensityFilter::None, DensityFilter::Cone, DensityFilter::Gaussian}) {
+    for (const PhotonFilter filter : {PhotonFilter::None, PhotonFilter::Cone, PhotonFilter::Gaussian}) {
         scene.render.photonMap.filter = filter;
         // 9 200 photons in the square: 1 % if they were independent
         CHECK(std::abs(meanOf(onDevice(scene).picture) / expected - 1) < 0.03);

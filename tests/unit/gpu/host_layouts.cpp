@@ -71,8 +71,23 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(GatherRadianceArguments, visiblePoints, cellStarts, gathered, grid.inverseCellSize, grid.bucketMask,
                 radius, count, maxDepth);
     HOST_LAYOUT(SumPathsArguments, paths, emitted, direct, radiance, count);
-    HOST_LAYOUT(AccumulateFilmArguments, colors, film, count);
+    HOST_LAYOUT(AccumulateFilmArguments, colors, film, count, scale);
     HOST_LAYOUT(ResolveFilmArguments, film, image, count, scale);
+    HOST_LAYOUT(TargetRecord, center, radius);
+    HOST_LAYOUT(EmitCausticPhotonsArguments, lights, targets, rays, paths, count, lightCount, targetCount, sequence);
+    HOST_LAYOUT(CastShadowPhotonsArguments, rays, hits, paths, materials, normals, instances, photons, nextRays, nextPaths,
+                alive, count, firstPhoton);
+    HOST_LAYOUT(StartGatherRaysArguments, visiblePoints, rays, paths, alive, count, index);
+    HOST_LAYOUT(BeginIrradianceArguments, photons, visiblePoints, count);
+    HOST_LAYOUT(StoreIrradianceArguments, photons, irradiance, records, count);
+    HOST_LAYOUT(LookUpIrradianceArguments, visiblePoints, gathered, map.order, map.cellStarts, map.grid.inverseCellSize,
+                map.grid.bucketMask, map.base, map.count, radius, scale, count);
+    HOST_LAYOUT(ClassifyVisibilityArguments, visiblePoints, lit, shadowed, map.order, map.cellStarts,
+                map.grid.inverseCellSize, map.grid.bucketMask, map.base, map.count, lightCount, nearest, agreeing,
+                radius, count);
+    HOST_LAYOUT(SkipShadowRaysArguments, lit, shadowed, shadowRays, contributions, direct, counts, light, count);
+    HOST_LAYOUT(SplatPhotonsArguments, photons, counts, camera.position, camera.forward, camera.right, camera.up,
+                camera.width, camera.height, count, rootNode);
     HOST_LAYOUT(SelfTestRecord, first, second, third, fourth);
     HOST_LAYOUT(SelfTestAnswer, rounds, texel, record.first, record.second, record.third, record.fourth);
     HOST_LAYOUT(SelfTestArguments, records, answers, rounds, count);
