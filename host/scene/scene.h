@@ -140,7 +140,7 @@ struct Mesh {
     std::vector<glm::vec3> positions;  // object space [m]
     std::vector<glm::vec3> normals;    // per position, unit; empty: flat shading
     std::vector<glm::uvec3> triangles; // indices into positions, counter-clockwise from the front
-    std::vector<glm::vec2> uvs;        // texture coordinates per position; empty: none
+    std::vector<glm::vec2> uvs;        // per position, v upwards; empty: none
 };
 
 struct Scene {
