@@ -102,8 +102,15 @@ shared::CameraRecord cameraRecord(const Camera& camera) {
     const dvec3 up = glm::cross(right, forward);
     const double tangent = std::tan(0.5 * camera.fov * std::numbers::pi / 180);
     const double aspect = static_cast<double>(camera.resolution.x) / static_cast<double>(camera.resolution.y);
-    return {camera.position,    forward, right * (tangent * aspect), up * tangent, camera.resolution.x,
-            camera.resolution.y};
+    const double focus = camera.focusDistance > 0 ? camera.focusDistance : glm::length(camera.lookAt - camera.position);
+    return {camera.position,
+            forward,
+            right * (tangent * aspect),
+            up * tangent,
+            camera.resolution.x,
+            camera.resolution.y,
+            static_cast<float>(0.5 * camera.aperture),
+            static_cast<float>(focus)};
 }
 
 std::vector<shared::LightRecord> lightRecords(const Scene& scene) {

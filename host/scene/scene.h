@@ -18,7 +18,9 @@ struct Camera {
     glm::dvec3 position{0, 0, 5}; // [m]
     glm::dvec3 lookAt{0, 0, 0};   // [m]
     glm::dvec3 up{0, 1, 0};
-    double fov = 45; // vertical [degrees], in (0, 180)
+    double fov = 45;          // vertical [degrees], in (0, 180)
+    double aperture = 0;      // diameter of the lens [m]; 0: a pinhole
+    double focusDistance = 0; // along the view to the plane that is sharp [m]; 0: that of lookAt
     glm::uvec2 resolution{512, 512};
 };
 

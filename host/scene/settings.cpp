@@ -14,6 +14,8 @@ namespace {
 constexpr Range kCoordinate{-kLargestLength, kLargestLength, true, true, "m"};
 constexpr Range kDirection{-kLargestLength, kLargestLength};
 constexpr Range kFov{0, 180, false, false, "degrees"};
+constexpr Range kAperture{0, kLargestLength, true, true, "m"};
+constexpr Range kFocus{kSmallestLength, kLargestLength, true, true, "m"};
 constexpr Range kSide{1, kLargestSide, true, true, "pixels"};
 constexpr Range kCount{1, std::numeric_limits<std::uint32_t>::max()};
 constexpr Range kPhotons{1, kMostPhotons};
@@ -45,6 +47,8 @@ void readCamera(const Value& value, Camera& camera) {
     reader.optional("up", camera.up, kDirection);
     reader.optional("fov", camera.fov, kFov);
     reader.optional("resolution", camera.resolution, kSide);
+    reader.optional("aperture", camera.aperture, kAperture);
+    reader.optional("focus_distance", camera.focusDistance, kFocus);
     reader.finish();
 
     if (std::uint64_t{camera.resolution.x} * camera.resolution.y > kMostPixels) {

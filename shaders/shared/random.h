@@ -86,6 +86,7 @@ SHARED_FUNCTION uvec2 sampleBits(Sampler s, uint dimension) {
 
 // Which pair of numbers a choice along a path uses. Vertices are counted from 0, the first hit.
 SHARED_CONSTANT kCameraPixel = 0u; // place in the pixel
+SHARED_CONSTANT kCameraLens = 1u;  // place on the lens
 
 SHARED_FUNCTION uint cameraScatter(uint vertex) { // x: reflected or refracted
     return 2u + 3u * vertex;

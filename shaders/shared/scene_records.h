@@ -4,14 +4,17 @@
 #include "language.h"
 SHARED_BEGIN
 
-// Pinhole camera: the ray through image point (x, y) in [-1, 1]^2, y up, has direction forward + x right + y up.
+// The ray through image point (x, y) in [-1, 1]^2, y up, and the middle of the lens has direction
+// forward + x right + y up; those through other points of the lens meet it focusDistance along forward.
 struct CameraRecord {
-    vec3 position; // world [m]
-    vec3 forward;  // unit
-    vec3 right;    // length tan(horizontal fov / 2)
-    vec3 up;       // length tan(vertical fov / 2)
-    uint width;    // [pixels]
-    uint height;   // [pixels]
+    vec3 position;       // middle of the lens, world [m]
+    vec3 forward;        // unit
+    vec3 right;          // length tan(horizontal fov / 2)
+    vec3 up;             // length tan(vertical fov / 2)
+    uint width;          // [pixels]
+    uint height;         // [pixels]
+    float lensRadius;    // [m]; 0: a pinhole
+    float focusDistance; // from the lens to the plane that is sharp [m]
 };
 
 SHARED_CONSTANT kMaterialAbsorber = 0u;   // reflects nothing
