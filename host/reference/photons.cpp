@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "reference/lights.h"
 #include "reference/materials.h"
+#include "reference/medium.h"
 #include "reference/sampling.h"
 
 #include <algorithm>
@@ -53,10 +54,12 @@ PhotonPass progressivePass(const World& world, std::uint32_t pass) {
             .kinds = kindBit(PhotonKind::Indirect) | kindBit(PhotonKind::Caustic)};
 }
 
-PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, const PhotonPath& path,
+PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, const PhotonPath& started,
                             std::uint32_t depth, const PhotonPass& pass) {
     const Surface surface = evaluateSurface(world, ray, hit);
     PhotonScatter scatter{.stored = {}, .next = {}, .path = path};
+    PhotonPath path = started;
+    path.power *= transmittance(path.medium, hit.t);
     if (surface.material == nullptr) {
         return scatter;
     }
@@ -97,6 +100,9 @@ PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, 
         const double F = fresnelDielectric(incidentCosine(ray.direction, surface.normal), eta);
         direction = xy.y < F ? reflect(ray.direction, surface.normal) : refract(ray.direction, surface.normal, eta);
     }
+        if (xy.y >= F) {
+            scatter.path.medium = surface.front ? surface.material : nullptr;
+        }
     if (direction) {
         scatter.next = Ray{.origin = leave(surface, *direction), .direction = *direction};
     }

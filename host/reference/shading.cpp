@@ -3,6 +3,7 @@
 #include "reference/shading.h"
 
 #include "reference/materials.h"
+#include "reference/medium.h"
 #include "reference/sampling.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace {
 
 NextRay follow(const Surface& surface, const glm::dvec3& direction, const glm::dvec3& beta, std::uint32_t samplerSeed) {
     return {.ray = {.origin = leave(surface, direction), .direction = direction},
-            .path = {.beta = beta, .samplerSeed = samplerSeed}};
+            .path = {.beta = beta, .samplerSeed = samplerSeed, .medium = nullptr}};
 }
 
 // Both ways of a camera path at glass: [0] reflected with weight F, [1] refracted with (1 - F) (n_i / n_t)^2.
@@ -43,6 +44,17 @@ std::array<std::optional<NextRay>, 2> pickAtDielectric(const Surface& surface, c
 }
 
 void dropLightweights(std::array<std::optional<NextRay>, 2>& next, double minWeight) {
+// What is reflected stays in the medium; what is refracted enters the dielectric at its front and leaves it at its
+// back.
+void setMedia(std::array<std::optional<NextRay>, 2>& next, const Surface& surface, const Material* medium) {
+    if (next[0]) {
+        next[0]->path.medium = medium;
+    }
+    if (next[1]) {
+        next[1]->path.medium = surface.front ? surface.material : nullptr;
+    }
+}
+
     for (std::optional<NextRay>& ray : next) {
         if (ray && std::max({ray->path.beta.x, ray->path.beta.y, ray->path.beta.z}) < minWeight) {
             ray.reset();
@@ -53,13 +65,17 @@ void dropLightweights(std::array<std::optional<NextRay>, 2>& next, double minWei
 } // namespace
 
 CameraPath beginCameraPath(const World& world, std::uint32_t pixel, std::uint32_t pass) {
-    return {.beta = glm::dvec3(1), .samplerSeed = shared::cameraSampler(world.render.seed, pass, pixel).seed};
+    return {.beta = glm::dvec3(1),
+            .samplerSeed = shared::cameraSampler(world.render.seed, pass, pixel).seed,
+            .medium = nullptr};
 }
 
-Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const CameraPath& path, std::uint32_t depth,
+Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const CameraPath& started, std::uint32_t depth,
                      std::uint32_t pass) {
     const Surface surface = evaluateSurface(world, ray, hit);
     Shading shading{.emitted = path.beta * surface.emission, .visible = {}, .next = {}};
+    CameraPath path = started;
+    path.beta *= transmittance(path.medium, hit.t);
     if (surface.material == nullptr) {
         return shading;
     }
@@ -95,6 +111,7 @@ Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const C
         }
     }
     if (whitted) {
+    setMedia(shading.next, surface, path.medium);
         dropLightweights(shading.next, world.render.minWeight);
     }
     return shading;

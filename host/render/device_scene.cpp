@@ -32,6 +32,7 @@ shared::MaterialRecord materialRecord(const Material& material) {
         r.color = vec3(1);
         r.ior = static_cast<float>(std::get<Dielectric>(material.model).ior);
     }
+        r.extinction = std::get<Dielectric>(material.model).absorption;
     return r;
 }
 

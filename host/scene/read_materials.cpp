@@ -1,6 +1,8 @@
 // See read_materials.h. A new material is a reader here and a row of kMaterials.
 #include "scene/read_materials.h"
 
+#include "scene/scene_limits.h"
+
 #include <array>
 
 namespace hyalite {
@@ -8,6 +10,7 @@ namespace {
 
 constexpr Range kFraction{0, 1};
 constexpr Range kIor{0.01, 100}; // glass 1.5, diamond 2.4; below 1: a bubble in glass
+constexpr Range kAbsorption{0, 1 / kSmallestLength, true, true, "1/m"};
 
 MaterialModel readDiffuse(Reader& reader) {
     Diffuse diffuse;
@@ -24,6 +27,7 @@ MaterialModel readMirror(Reader& reader) {
 MaterialModel readDielectric(Reader& reader) {
     Dielectric dielectric;
     reader.optional("ior", dielectric.ior, kIor);
+    reader.optionalColor("absorption", dielectric.absorption, kAbsorption);
     return dielectric;
 }
 

@@ -47,7 +47,8 @@ struct Mirror {
     glm::dvec3 reflectance{1}; // [0, 1]
 };
 struct Dielectric {
-    double ior = 1.5; // inside over outside, > 0
+    double ior = 1.5;         // inside over outside, > 0
+    glm::dvec3 absorption{0}; // coefficient inside [1/m]
 };
 using MaterialModel = std::variant<Diffuse, Mirror, Dielectric>;
 

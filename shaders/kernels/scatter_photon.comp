@@ -5,6 +5,7 @@
 // longest path: that one belongs to the camera.
 #include "shared/kernel_arguments.h"
 #include "lib/dielectric.glsl"
+#include "lib/medium.glsl"
 #include "lib/photon.glsl"
 #include "lib/sampling.glsl"
 #include "lib/surface.glsl"
@@ -27,6 +28,7 @@ void follow(uint i, Surface s, vec3 direction, bool through, PhotonPath path, ve
     path.power = power;
     path.kind = kind;
     args.nextPaths.at[i] = path;
+    path.medium = through ? (s.front ? s.material : kNone) : path.medium;
     args.alive.at[i] = 1u;
 }
 
@@ -87,7 +89,10 @@ void main() {
     Ray ray = args.rays.at[i];
     Surface s = surfaceAt(ray, hit, args.normals, args.instances);
     if (s.material == kNone) {
-        account(path, vec3(0.0), path.power, vec3(0.0), vec3(0.0));
+    vec3 started = path.power;
+    path.power *= transmittance(args.materials, path.medium, hit.t);
+    vec3 lost = started - path.power; // in glass, on the way here
+        account(path, vec3(0.0), started, vec3(0.0), vec3(0.0));
         return;
     }
     MaterialRecord material = args.materials.at[s.material];
@@ -107,5 +112,5 @@ void main() {
                          : scatterSpecular(i, s, material, ray.direction, path, roulette);
     }
     vec3 left = path.power - onward - cutOff;
-    account(path, diffuse ? left : vec3(0.0), diffuse ? vec3(0.0) : left, vec3(0.0), cutOff);
+    account(path, diffuse ? left : vec3(0.0), (diffuse ? vec3(0.0) : left) + lost, vec3(0.0), cutOff);
 }

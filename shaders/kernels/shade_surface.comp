@@ -5,6 +5,7 @@
 // (split = 0, visible points and emission stand at the pixel) or both (split = 1, they stand at the path's number).
 #include "shared/kernel_arguments.h"
 #include "lib/dielectric.glsl"
+#include "lib/medium.glsl"
 #include "lib/sampling.glsl"
 #include "lib/surface.glsl"
 #include "lib/thread.glsl"
@@ -22,6 +23,7 @@ void follow(uint slot, Surface s, vec3 direction, bool through, CameraPath path,
     args.nextRays.at[slot] = leaveSurface(s, direction, through);
     path.beta = beta;
     path.samplerSeed = samplerSeed;
+    path.medium = through ? (s.front ? s.material : kNone) : path.medium;
     args.nextPaths.at[slot] = path;
     args.alive.at[slot] = 1u;
 }
@@ -66,6 +68,7 @@ void main() {
         Ray ray = args.rays.at[id];
         Surface s = surfaceAt(ray, hit, args.normals, args.instances);
         if (s.light != kNone && s.front) {
+        path.beta *= transmittance(args.materials, path.medium, hit.t);
             emitted = path.beta * args.lights.at[s.light].emission;
         }
         if (s.material != kNone) {

@@ -25,7 +25,8 @@ GOOD = {
     "textures": {"c": {"type": "checker", "colors": [0, [1, 1, 1]], "size": 2, "space": "uv"},
                  "i": {"type": "image", "file": "i.png", "encoding": "linear"}},
     "render": {"integrator": "whitted", "max_depth": 0, "radius": 0},
-    "materials": {"m": {"type": "diffuse", "albedo": 0.5}},
+    "materials": {"m": {"type": "diffuse", "albedo": 0.5}, "t": {"type": "mirror", "reflectance": {"texture": "c"}},
+                  "g": {"type": "dielectric", "absorption": [0, 1, 2]}},
     "lights": [{"type": "point", "position": [0, 1, 0], "intensity": [1, 1, 1]}],
     "objects": [
         {"shape": {"type": "sphere", "radius": 1}, "material": "m", "transform": [{"scale": 2}]},
