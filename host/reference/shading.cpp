@@ -5,6 +5,7 @@
 #include "reference/materials.h"
 #include "reference/medium.h"
 #include "reference/sampling.h"
+#include "reference/texture.h"
 
 #include <algorithm>
 #include <numbers>
@@ -43,7 +44,6 @@ std::array<std::optional<NextRay>, 2> pickAtDielectric(const Surface& surface, c
     return next;
 }
 
-void dropLightweights(std::array<std::optional<NextRay>, 2>& next, double minWeight) {
 // What is reflected stays in the medium; what is refracted enters the dielectric at its front and leaves it at its
 // back.
 void setMedia(std::array<std::optional<NextRay>, 2>& next, const Surface& surface, const Material* medium) {
@@ -55,6 +55,7 @@ void setMedia(std::array<std::optional<NextRay>, 2>& next, const Surface& surfac
     }
 }
 
+void dropLightweights(std::array<std::optional<NextRay>, 2>& next, double minWeight) {
     for (std::optional<NextRay>& ray : next) {
         if (ray && std::max({ray->path.beta.x, ray->path.beta.y, ray->path.beta.z}) < minWeight) {
             ray.reset();
@@ -73,13 +74,13 @@ CameraPath beginCameraPath(const World& world, std::uint32_t pixel, std::uint32_
 Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const CameraPath& started, std::uint32_t depth,
                      std::uint32_t pass) {
     const Surface surface = evaluateSurface(world, ray, hit);
-    Shading shading{.emitted = path.beta * surface.emission, .visible = {}, .next = {}};
     CameraPath path = started;
     path.beta *= transmittance(path.medium, hit.t);
+    Shading shading{.emitted = path.beta * surface.emission, .visible = {}, .next = {}};
     if (surface.material == nullptr) {
         return shading;
     }
-    const MaterialModel& model = surface.material->model;
+    const MaterialModel model = texturedModel(world, surface);
     if (const auto* diffuse = std::get_if<Diffuse>(&model)) {
         shading.visible = VisiblePoint{.position = surface.position,
                                        .shadowOrigin = leave(surface, surface.geometricNormal),
@@ -110,8 +111,8 @@ Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const C
             shading.next = pickAtDielectric(surface, ray.direction, eta, F, path, x);
         }
     }
-    if (whitted) {
     setMedia(shading.next, surface, path.medium);
+    if (whitted) {
         dropLightweights(shading.next, world.render.minWeight);
     }
     return shading;

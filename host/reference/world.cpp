@@ -151,6 +151,7 @@ World prepareWorld(const Scene& scene) {
     World world{.camera = makeCameraFrame(scene.camera, scene.file),
                 .render = scene.render,
                 .initialRadius = initialRadius(scene),
+                .textures = scene.textures,
                 .materials = scene.materials,
                 .objects = scene.objects,
                 .csgLeaves = scene.csgLeaves,
@@ -207,6 +208,7 @@ Surface evaluateSurface(const World& world, const Ray& ray, const Hit& hit) {
     Surface surface{};
     surface.position = point.position;
     surface.offset = point.offset;
+    surface.uv = point.uv;
     surface.front = glm::dot(ray.direction, point.geometricNormal) < 0;
     surface.geometricNormal = surface.front ? point.geometricNormal : -point.geometricNormal;
     surface.normal = surface.front ? point.normal : -point.normal;

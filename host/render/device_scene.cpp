@@ -2,6 +2,7 @@
 
 #include "render/mesh_tables.h"
 #include "render/object_table.h"
+#include "render/texture_table.h"
 
 #include <cmath>
 #include <numbers>
@@ -19,8 +20,8 @@ constexpr std::size_t kFewObjects = 12;
 shared::MaterialRecord materialRecord(const Material& material) {
     shared::MaterialRecord r{};
     r.ior = 1;
-    r.colorTexture = shared::kNone;
-    r.roughnessTexture = shared::kNone;
+    r.colorTexture = static_cast<std::uint32_t>(material.colorTexture.value_or(shared::kNone));
+    r.roughnessTexture = static_cast<std::uint32_t>(material.roughnessTexture.value_or(shared::kNone));
     if (const auto* diffuse = std::get_if<Diffuse>(&material.model)) {
         r.type = shared::kMaterialDiffuse;
         r.color = diffuse->albedo;
@@ -31,8 +32,8 @@ shared::MaterialRecord materialRecord(const Material& material) {
         r.type = shared::kMaterialDielectric;
         r.color = vec3(1);
         r.ior = static_cast<float>(std::get<Dielectric>(material.model).ior);
-    }
         r.extinction = std::get<Dielectric>(material.model).absorption;
+    }
     return r;
 }
 
@@ -142,6 +143,24 @@ std::vector<shared::LightRecord> lightRecords(const Scene& scene) {
     return lights;
 }
 
+namespace {
+
+void uploadTextures(const gpu::Context& context, gpu::TexelTables& tables, const Scene& scene,
+                    const std::vector<std::uint32_t>& fileOrder, DeviceScene& device) {
+    device.specialization["kTextures"] = hasTextures(scene) ? 1 : 0;
+    if (!hasTextures(scene)) {
+        return;
+    }
+    const std::vector<glm::vec4> textures = textureTexels(scene.textures);
+    const std::vector<glm::vec4> coordinates = coordinateTexels(scene.meshes, fileOrder);
+    device.textures = {context, std::span<const glm::vec4>(textures), "textures"};
+    device.textureCoordinates = {context, std::span<const glm::vec4>(coordinates), "texture coordinates"};
+    tables.set(TABLE_TEXTURES, device.textures.buffer(), gpu::TexelFormat::Float4);
+    tables.set(TABLE_TEXTURE_COORDINATES, device.textureCoordinates.buffer(), gpu::TexelFormat::Float4);
+}
+
+} // namespace
+
 DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, const Scene& scene) {
     MeshTables meshes = buildMeshTables(scene.meshes);
     ObjectTable objects =
@@ -166,6 +185,7 @@ DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, c
     tables.set(TABLE_NODES, device.nodes.buffer(), gpu::TexelFormat::Uint4);
     tables.set(TABLE_OBJECTS, device.objects.buffer(), gpu::TexelFormat::Float4);
     tables.set(TABLE_TRIANGLES, device.triangles.buffer(), gpu::TexelFormat::Float4);
+    uploadTextures(context, tables, scene, meshes.fileOrder, device);
     const bool areFew = scene.objects.size() <= kFewObjects;
     device.specialization["kShapeTypes"] = objects.shapeTypes;
     device.specialization["kFewObjects"] = areFew ? static_cast<std::uint32_t>(scene.objects.size()) : 0;

@@ -3,10 +3,13 @@
 #pragma once
 
 #include "base/error.h"
+#include "image/image.h"
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -52,9 +55,28 @@ struct Dielectric {
 };
 using MaterialModel = std::variant<Diffuse, Mirror, Dielectric>;
 
+// Two colours in cubes of the world, or in squares of the surface's coordinates (u, v), by turns.
+struct Checker {
+    std::array<glm::dvec3, 2> colors{glm::dvec3(0.2), glm::dvec3(0.8)}; // [0, 1]; the first from the origin on
+    double size = 0.1;                                                  // edge of a cell [m], or in units of u and v
+    bool inWorld = true;
+};
+// A picture over the unit square of (u, v), v upwards, repeated beyond it.
+struct ImageTexture {
+    std::shared_ptr<const Image> image; // [0, 1]
+};
+using TextureModel = std::variant<Checker, ImageTexture>;
+
+struct Texture {
+    std::string name;
+    TextureModel model;
+};
+
 struct Material {
     std::string name;
     MaterialModel model;
+    std::optional<std::size_t> colorTexture = {};     // in Scene::textures; multiplies the model's colour
+    std::optional<std::size_t> roughnessTexture = {}; // likewise: green times roughness, blue times metallic
 };
 
 struct PointLight {
@@ -150,6 +172,7 @@ struct Scene {
     std::string file;
     Camera camera;
     RenderSettings render;
+    std::vector<Texture> textures;
     std::vector<Material> materials;
     std::vector<PointLight> lights; // emitting objects are lights too
     std::vector<Object> objects;

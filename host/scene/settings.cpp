@@ -46,10 +46,10 @@ void readCamera(const Value& value, Camera& camera) {
     reader.optional("look_at", camera.lookAt, kCoordinate);
     reader.optional("up", camera.up, kDirection);
     reader.optional("fov", camera.fov, kFov);
-    reader.optional("resolution", camera.resolution, kSide);
     reader.optional("aperture", camera.aperture, kAperture);
     reader.optional("focus_distance", camera.focusDistance, kFocus);
     reader.finish();
+    reader.optional("resolution", camera.resolution, kSide);
 
     if (std::uint64_t{camera.resolution.x} * camera.resolution.y > kMostPixels) {
         placeOf(reader, "resolution").fail("more than " + std::to_string(kMostPixels) + " pixels");

@@ -9,6 +9,7 @@
 #include "lib/photon.glsl"
 #include "lib/sampling.glsl"
 #include "lib/surface.glsl"
+#include "lib/texture.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { ScatterPhotonArguments args; };
@@ -27,8 +28,8 @@ void follow(uint i, Surface s, vec3 direction, bool through, PhotonPath path, ve
     args.nextRays.at[i] = leaveSurface(s, direction, through);
     path.power = power;
     path.kind = kind;
-    args.nextPaths.at[i] = path;
     path.medium = through ? (s.front ? s.material : kNone) : path.medium;
+    args.nextPaths.at[i] = path;
     args.alive.at[i] = 1u;
 }
 
@@ -88,14 +89,14 @@ void main() {
     }
     Ray ray = args.rays.at[i];
     Surface s = surfaceAt(ray, hit, args.normals, args.instances);
-    if (s.material == kNone) {
     vec3 started = path.power;
     path.power *= transmittance(args.materials, path.medium, hit.t);
     vec3 lost = started - path.power; // in glass, on the way here
+    if (s.material == kNone) {
         account(path, vec3(0.0), started, vec3(0.0), vec3(0.0));
         return;
     }
-    MaterialRecord material = args.materials.at[s.material];
+    MaterialRecord material = texturedMaterial(args.materials.at[s.material], s);
     bool diffuse = material.type == kMaterialDiffuse;
     if (diffuse && isWanted(path.kind)) {
         store(args.firstPhoton + i, s, ray.direction, path);

@@ -50,12 +50,12 @@ MISTAKES = [
     (["hyalite"], 2), (["hyalite"], None), (["objects"], []), (["objects"], None), (["unheardof"], 1),
     (["camera", "fov"], 0), (["camera", "fov"], 180), (["camera", "fov"], "40"), (["camera", "fow"], 40),
     (["camera", "resolution"], [0, 480]), (["camera", "resolution"], [640]), (["camera", "resolution"], [640, 65537]),
-    (["camera", "position"], [0, 1]), (["camera", "position"], [0, 1, 1e10]),
     (["camera", "aperture"], -1), (["camera", "focus_distance"], 0),
     (["textures", "c", "colors"], [0]), (["textures", "c", "colors"], [0, 2]), (["textures", "c", "size"], 0),
     (["textures", "c", "space"], "object"), (["textures", "c", "type"], "noise"), (["textures", "i", "file"], None),
     (["textures", "i", "encoding"], "gamma"), (["materials", "t", "reflectance"], {"texture": "c", "scale": 2}),
     (["materials", "g", "absorption"], -1), (["materials", "g", "absorption"], {"texture": "c"}),
+    (["camera", "position"], [0, 1]), (["camera", "position"], [0, 1, 1e10]),
     (["render", "integrator"], "pmm"), (["render", "max_depth"], 255), (["render", "passes"], 0),
     (["render", "photons"], 16777217), (["render", "radius"], -1), (["render", "alpha"], 1),
     (["render", "integrator"], "ppm"),  # with max_depth 0
