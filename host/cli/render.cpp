@@ -99,7 +99,22 @@ void refuseDeviceOptions(const RenderCommand& command) {
 }
 
 std::string name(Integrator integrator) {
-    return integrator == Integrator::Whitted ? "whitted" : "ppm";
+    switch (integrator) {
+    case Integrator::Whitted:
+        return "whitted";
+    case Integrator::Path:
+        return "path";
+    case Integrator::Ppm:
+        break;
+    }
+    return "ppm";
+}
+
+void refuseReferenceIntegrators(const Scene& scene) {
+    if (scene.render.integrator == Integrator::Path) {
+        throw Error(ExitCode::WrongUsage, "the integrator 'path' runs in the reference alone",
+                    "use --backend reference");
+    }
 }
 
 Image renderOnDevice(const RenderCommand& command, const Scene& scene, ProgressBar& bar, RenderReport& report) {
@@ -150,6 +165,9 @@ void renderScene(RenderCommand command) {
     }
     Scene scene = loadScene(command.scene);
     applySettings(scene, allSettings(command));
+    if (!byReference) {
+        refuseReferenceIntegrators(scene);
+    }
     if (command.outputs.empty()) {
         command.outputs.push_back(std::filesystem::path(command.scene).stem().string() + ".png");
     }
@@ -209,7 +227,8 @@ void addRender(CLI::App& app, ExitCode&) {
         RenderCommand::Setting& setting = command->shorthands[index];
         sub->add_option(setting.option, setting.value, text);
     };
-    shorthand(0, "ppm (progressive photon mapping) or whitted (recursive ray tracing)");
+    shorthand(
+        0, "ppm (progressive photon mapping), whitted (recursive ray tracing) or path (path tracing, reference only)");
     shorthand(1, "picture size, WIDTHxHEIGHT");
     shorthand(2, "passes, each one sample per pixel");
     shorthand(3, "the same as --passes");

@@ -1,6 +1,7 @@
 // Picks the integrator.
 #include "reference/render.h"
 
+#include "reference/path.h"
 #include "reference/ppm.h"
 #include "reference/whitted.h"
 
@@ -14,7 +15,15 @@ Image render(const Scene& scene, const RenderOptions& options) {
         throw Error(ExitCode::BadInput, SourceLocation{.file = scene.file}, "the scene emits no light",
                     "add a light, or an emission to a quad");
     }
-    return scene.render.integrator == Integrator::Whitted ? renderWhitted(world, options) : renderPpm(world, options);
+    switch (scene.render.integrator) {
+    case Integrator::Whitted:
+        return renderWhitted(world, options);
+    case Integrator::Path:
+        return renderPath(world, options);
+    case Integrator::Ppm:
+        break;
+    }
+    return renderPpm(world, options);
 }
 
 } // namespace hyalite::reference

@@ -15,8 +15,10 @@ std::unique_ptr<PassIntegrator> makeIntegrator(Device& device, const Scene& scen
         return std::make_unique<Whitted>(device, scene, deviceScene, film);
     case Integrator::Ppm:
         return std::make_unique<Ppm>(device, scene, deviceScene, film);
+    case Integrator::Path:
+        break;
     }
-    throw Error(ExitCode::WrongUsage, "unknown integrator");
+    throw Error(ExitCode::WrongUsage, "this integrator has no kernels");
 }
 
 } // namespace

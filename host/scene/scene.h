@@ -27,12 +27,12 @@ struct Camera {
     glm::uvec2 resolution{512, 512};
 };
 
-enum class Integrator { Whitted, Ppm };
+enum class Integrator { Whitted, Ppm, Path };
 
 struct RenderSettings {
     Integrator integrator = Integrator::Ppm;
     std::uint32_t maxDepth =
-        12; // ppm: segments of a whole path, 1..255; whitted: reflections and refractions in a row, 0..254
+        12; // ppm, path: segments of a whole path, 1..255; whitted: reflections and refractions in a row, 0..254
     std::uint32_t passes = 64;      // >= 1
     std::uint32_t photons = 200000; // emitted per pass, >= 1
     std::uint32_t seed = 1;

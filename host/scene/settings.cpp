@@ -27,9 +27,10 @@ constexpr Range kShare{0, 1};
 constexpr Range kWhittedDepth{0, shared::kMaxDepth - 1};
 constexpr Range kPpmDepth{1, shared::kMaxDepth};
 
-constexpr std::array<Choice<Integrator>, 2> kIntegrators{{
+constexpr std::array<Choice<Integrator>, 3> kIntegrators{{
     {"whitted", Integrator::Whitted},
     {"ppm", Integrator::Ppm},
+    {"path", Integrator::Path},
 }};
 
 // The place of a key, or of the map around it when the key is not written there.
@@ -48,8 +49,8 @@ void readCamera(const Value& value, Camera& camera) {
     reader.optional("fov", camera.fov, kFov);
     reader.optional("aperture", camera.aperture, kAperture);
     reader.optional("focus_distance", camera.focusDistance, kFocus);
-    reader.finish();
     reader.optional("resolution", camera.resolution, kSide);
+    reader.finish();
 
     if (std::uint64_t{camera.resolution.x} * camera.resolution.y > kMostPixels) {
         placeOf(reader, "resolution").fail("more than " + std::to_string(kMostPixels) + " pixels");

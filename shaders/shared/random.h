@@ -98,6 +98,16 @@ SHARED_FUNCTION uint cameraLightChoice(uint vertex) { // x: which light
     return 4u + 3u * vertex;
 }
 
+// Path tracing goes on from diffuse surfaces, with dimensions beyond those of the longest path above.
+SHARED_CONSTANT kPathFirst = 1024u;
+
+SHARED_FUNCTION uint pathBounce(uint vertex) { // direction after a diffuse reflection
+    return kPathFirst + 8u * vertex;
+}
+SHARED_FUNCTION uint pathRoulette(uint vertex) { // x: does the path go on
+    return kPathFirst + 8u * vertex + 1u;
+}
+
 SHARED_CONSTANT kPhotonLight = 0u;     // x: which light emits, y: which target it aims at
 SHARED_CONSTANT kPhotonOrigin = 1u;    // point on the light
 SHARED_CONSTANT kPhotonDirection = 2u; // direction of emission
