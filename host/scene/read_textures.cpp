@@ -141,10 +141,15 @@ void readTexturedColor(Reader& reader, std::string_view key, const Range& range,
         value->readColor(color, range);
         return;
     }
-    Reader map(*value);
-    texture = findTexture(map.require("texture"), scene);
-    map.finish();
+    texture = readTextureReference(*value, scene);
     color = glm::dvec3(1);
+}
+
+std::size_t readTextureReference(const Value& map, const Scene& scene) {
+    Reader reader(map);
+    const std::size_t texture = findTexture(reader.require("texture"), scene);
+    reader.finish();
+    return texture;
 }
 
 void checkTextures(const Scene& scene) {

@@ -24,6 +24,9 @@ namespace hyalite {
 void readTexturedColor(Reader& reader, std::string_view key, const Range& range, const Scene& scene, glm::dvec3& color,
                        std::optional<std::size_t>& texture);
 
+// Index of the texture that a map of the one key `texture` names. Throws Error(BadInput).
+[[nodiscard]] std::size_t readTextureReference(const Value& map, const Scene& scene);
+
 // Every textured surface must have the coordinates that its texture asks for. Throws Error(BadInput) at the shape.
 void checkTextures(const Scene& scene);
 
