@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Writes the models of the test scenes, scenes/models/icosahedron.obj and uv-sphere.ply, from their formulas."""
+"""Writes the models of the test scenes, scenes/models/icosahedron.obj, uv-sphere.ply and graticule.png, from formulas."""
 
 import math
 import pathlib
 import struct
+import zlib
 
 MODELS = pathlib.Path(__file__).resolve().parent.parent / "scenes" / "models"
 
@@ -68,6 +69,30 @@ def write_uv_sphere(path, rings=12, sectors=24):
     path.write_bytes("\n".join(header).encode() + b"\n" + body)
 
 
+def write_graticule(path, width=96, height=48):
+    """A globe's map: a sea that darkens towards the poles, with a bright line every 45 degrees and a red equator."""
+    rows = []
+    for y in range(height):
+        row = bytearray([0])  # filter: none
+        for x in range(width):
+            sea = 150 - 100 * abs(2 * y + 1 - height) // height
+            color = (40, sea, 200)
+            if x % (width // 8) == 0 or y % (height // 4) == 0:
+                color = (240, 235, 210)
+            if y in (height // 2 - 1, height // 2):
+                color = (220, 40, 30)
+            row += bytes(color)
+        rows.append(bytes(row))
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(b"".join(rows), 9))
+                     + chunk(b"IEND", b""))
+
+
 MODELS.mkdir(parents=True, exist_ok=True)
 write_icosahedron(MODELS / "icosahedron.obj")
 write_uv_sphere(MODELS / "uv-sphere.ply")
+write_graticule(MODELS / "graticule.png")

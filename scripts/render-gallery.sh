@@ -22,6 +22,7 @@ picture reflections-0 reflections --max-depth 0
 picture reflections-1 reflections --max-depth 1
 picture reflections-5 reflections --max-depth 5
 picture glass-and-mirror glass-and-mirror
+picture globe globe
 picture quadrics quadrics
 picture csg csg
 picture csg-cube csg-cube

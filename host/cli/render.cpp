@@ -112,8 +112,17 @@ std::string name(Integrator integrator) {
         return "ppm";
     case Integrator::PhotonMap:
         return "photonmap";
+    case Integrator::Path:
+        return "path";
     }
     return {};
+}
+
+void refuseReferenceIntegrators(const Scene& scene) {
+    if (scene.render.integrator == Integrator::Path) {
+        throw Error(ExitCode::WrongUsage, "the integrator 'path' runs in the reference alone",
+                    "use --backend reference");
+    }
 }
 
 LayeredImage renderOnDevice(const RenderCommand& command, const Scene& scene, ProgressBar& bar, RenderReport& report) {
@@ -198,6 +207,9 @@ void renderScene(RenderCommand command) {
     }
     Scene scene = loadScene(command.scene);
     applySettings(scene, allSettings(command));
+    if (!byReference) {
+        refuseReferenceIntegrators(scene);
+    }
     if (command.outputs.empty()) {
         command.outputs.push_back(std::filesystem::path(command.scene).stem().string() + ".png");
     }
@@ -261,7 +273,8 @@ void addRender(CLI::App& app, ExitCode&) {
         RenderCommand::Setting& setting = command->shorthands[index];
         sub->add_option(setting.option, setting.value, text);
     };
-    shorthand(0, "ppm (progressive photon mapping), photonmap (in two passes) or whitted (recursive ray tracing)");
+    shorthand(0, "ppm (progressive photon mapping), photonmap (in two passes), whitted (recursive ray tracing) or path "
+                 "(path tracing, reference only)");
     shorthand(1, "picture size, WIDTHxHEIGHT");
     shorthand(2, "passes, each one sample per pixel");
     shorthand(3, "the same as --passes");

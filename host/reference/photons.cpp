@@ -4,7 +4,9 @@
 #include "base/parallel.h"
 #include "reference/lights.h"
 #include "reference/materials.h"
+#include "reference/medium.h"
 #include "reference/sampling.h"
+#include "reference/texture.h"
 
 #include <algorithm>
 
@@ -49,14 +51,16 @@ PhotonPass progressivePass(const World& world, std::uint32_t pass) {
             .kinds = kindBit(PhotonKind::Indirect) | kindBit(PhotonKind::Caustic)};
 }
 
-PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, const PhotonPath& path,
+PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, const PhotonPath& started,
                             std::uint32_t depth, const PhotonPass& pass) {
     const Surface surface = evaluateSurface(world, ray, hit);
+    PhotonPath path = started;
+    path.power *= transmittance(path.medium, hit.t);
     PhotonScatter scatter{.stored = {}, .next = {}, .path = path};
     if (surface.material == nullptr) {
         return scatter;
     }
-    const MaterialModel& model = surface.material->model;
+    const MaterialModel model = texturedModel(world, surface);
     const auto* diffuse = std::get_if<Diffuse>(&model);
     if (diffuse != nullptr && isWanted(path.kind, pass)) {
         scatter.stored = Photon{.position = surface.position,
@@ -92,6 +96,9 @@ PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, 
         const double eta = surface.front ? 1 / glass->ior : glass->ior;
         const double F = fresnelDielectric(incidentCosine(ray.direction, surface.normal), eta);
         direction = xy.y < F ? reflect(ray.direction, surface.normal) : refract(ray.direction, surface.normal, eta);
+        if (xy.y >= F) {
+            scatter.path.medium = surface.front ? surface.material : nullptr;
+        }
     }
     if (direction) {
         scatter.next = Ray{.origin = leave(surface, *direction), .direction = *direction};

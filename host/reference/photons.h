@@ -23,6 +23,7 @@ struct PhotonPath {
     std::uint32_t photon = 0;             // number of the photon in its pass
     std::uint32_t light = 0;              // that emitted it
     PhotonKind kind = PhotonKind::Direct; // of the photon that it would leave on a diffuse surface
+    const Material* medium = nullptr;     // of the world: the dielectric that it runs in; nullptr: none
 };
 
 // The photons of one purpose and one pass.

@@ -1,6 +1,7 @@
 // Picks the integrator.
 #include "reference/render.h"
 
+#include "reference/path.h"
 #include "reference/photon_mapping.h"
 #include "reference/ppm.h"
 #include "reference/whitted.h"
@@ -20,10 +21,12 @@ LayeredImage render(const Scene& scene, const RenderOptions& options) {
         return {.picture = renderWhitted(world, options), .layers = {}};
     case Integrator::PhotonMap:
         return renderPhotonMap(world, options);
+    case Integrator::Path:
+        return {.picture = renderPath(world, options), .layers = {}};
     case Integrator::Ppm:
-        return {.picture = renderPpm(world, options), .layers = {}};
+        break;
     }
-    throw Error(ExitCode::WrongUsage, "unknown integrator");
+    return {.picture = renderPpm(world, options), .layers = {}};
 }
 
 } // namespace hyalite::reference

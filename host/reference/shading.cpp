@@ -3,7 +3,9 @@
 #include "reference/shading.h"
 
 #include "reference/materials.h"
+#include "reference/medium.h"
 #include "reference/sampling.h"
+#include "reference/texture.h"
 
 #include <algorithm>
 #include <numbers>
@@ -14,7 +16,7 @@ namespace {
 
 NextRay follow(const Surface& surface, const glm::dvec3& direction, const glm::dvec3& beta, std::uint32_t samplerSeed) {
     return {.ray = {.origin = leave(surface, direction), .direction = direction},
-            .path = {.beta = beta, .samplerSeed = samplerSeed}};
+            .path = {.beta = beta, .samplerSeed = samplerSeed, .medium = nullptr}};
 }
 
 // Both ways of a camera path at glass: [0] reflected with weight F, [1] refracted with (1 - F) (n_i / n_t)^2.
@@ -42,6 +44,17 @@ std::array<std::optional<NextRay>, 2> pickAtDielectric(const Surface& surface, c
     return next;
 }
 
+// What is reflected stays in the medium; what is refracted enters the dielectric at its front and leaves it at its
+// back.
+void setMedia(std::array<std::optional<NextRay>, 2>& next, const Surface& surface, const Material* medium) {
+    if (next[0]) {
+        next[0]->path.medium = medium;
+    }
+    if (next[1]) {
+        next[1]->path.medium = surface.front ? surface.material : nullptr;
+    }
+}
+
 void dropLightweights(std::array<std::optional<NextRay>, 2>& next, double minWeight) {
     for (std::optional<NextRay>& ray : next) {
         if (ray && std::max({ray->path.beta.x, ray->path.beta.y, ray->path.beta.z}) < minWeight) {
@@ -53,17 +66,21 @@ void dropLightweights(std::array<std::optional<NextRay>, 2>& next, double minWei
 } // namespace
 
 CameraPath beginCameraPath(const World& world, std::uint32_t pixel, std::uint32_t pass) {
-    return {.beta = glm::dvec3(1), .samplerSeed = shared::cameraSampler(world.render.seed, pass, pixel).seed};
+    return {.beta = glm::dvec3(1),
+            .samplerSeed = shared::cameraSampler(world.render.seed, pass, pixel).seed,
+            .medium = nullptr};
 }
 
-Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const CameraPath& path, std::uint32_t depth,
+Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const CameraPath& started, std::uint32_t depth,
                      std::uint32_t pass) {
     const Surface surface = evaluateSurface(world, ray, hit);
+    CameraPath path = started;
+    path.beta *= transmittance(path.medium, hit.t);
     Shading shading{.emitted = path.beta * surface.emission, .visible = {}, .next = {}};
     if (surface.material == nullptr) {
         return shading;
     }
-    const MaterialModel& model = surface.material->model;
+    const MaterialModel model = texturedModel(world, surface);
     if (const auto* diffuse = std::get_if<Diffuse>(&model)) {
         shading.visible = VisiblePoint{.position = surface.position,
                                        .shadowOrigin = leave(surface, surface.geometricNormal),
@@ -94,6 +111,7 @@ Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const C
             shading.next = pickAtDielectric(surface, ray.direction, eta, F, path, x);
         }
     }
+    setMedia(shading.next, surface, path.medium);
     if (whitted) {
         dropLightweights(shading.next, world.render.minWeight);
     }

@@ -12,8 +12,9 @@ namespace hyalite::reference {
 
 // The state of a camera path that has not yet met a diffuse surface.
 struct CameraPath {
-    glm::dvec3 beta{1};            // throughput: what one unit of radiance along the present ray adds to the pixel
-    std::uint32_t samplerSeed = 0; // the sampler's index is the pass
+    glm::dvec3 beta{1};               // throughput: what one unit of radiance along the present ray adds to the pixel
+    std::uint32_t samplerSeed = 0;    // the sampler's index is the pass
+    const Material* medium = nullptr; // of the world: the dielectric that it runs in; nullptr: none
 };
 
 // The path that starts at the camera.

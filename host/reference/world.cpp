@@ -155,6 +155,7 @@ World prepareWorld(const Scene& scene) {
                 .globalRadius = globalSearchRadius(scene),
                 .causticRadius = causticSearchRadius(scene),
                 .targets = specularTargets(scene),
+                .textures = scene.textures,
                 .materials = scene.materials,
                 .objects = scene.objects,
                 .csgLeaves = scene.csgLeaves,
@@ -211,6 +212,7 @@ Surface evaluateSurface(const World& world, const Ray& ray, const Hit& hit) {
     Surface surface{};
     surface.position = point.position;
     surface.offset = point.offset;
+    surface.uv = point.uv;
     surface.front = glm::dot(ray.direction, point.geometricNormal) < 0;
     surface.geometricNormal = surface.front ? point.geometricNormal : -point.geometricNormal;
     surface.normal = surface.front ? point.normal : -point.normal;

@@ -27,6 +27,7 @@ struct World {
     double globalRadius = 0;  // photonmap: photons of an estimate lie no farther [m]
     double causticRadius = 0; // photonmap: those of caustics [m]
     std::vector<BoundingSphere> targets; // photonmap: what caustic photons are aimed at
+    std::vector<Texture> textures;
     std::vector<Material> materials;
     std::vector<Object> objects;
     std::vector<Object> csgLeaves;
@@ -66,6 +67,7 @@ struct Surface {
     bool front = false; // the ray came from the outside of a solid or mesh, the side of q > 0, the front of a quad
     double offset = 0;  // distance [m] that a leaving ray starts from the surface
     const Material* material = nullptr; // of the world; nullptr: absorbs
+    glm::dvec2 uv{0};                   // for textures
     glm::dvec3 emission{0};             // radiance towards where the ray came from [W/(m^2 sr)]
 };
 [[nodiscard]] Surface evaluateSurface(const World& world, const Ray& ray, const Hit& hit);

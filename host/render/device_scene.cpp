@@ -3,6 +3,7 @@
 #include "geometry/specular_targets.h"
 #include "render/mesh_tables.h"
 #include "render/object_table.h"
+#include "render/texture_table.h"
 
 #include <cmath>
 #include <numbers>
@@ -20,8 +21,8 @@ constexpr std::size_t kFewObjects = 12;
 shared::MaterialRecord materialRecord(const Material& material) {
     shared::MaterialRecord r{};
     r.ior = 1;
-    r.colorTexture = shared::kNone;
-    r.roughnessTexture = shared::kNone;
+    r.colorTexture = static_cast<std::uint32_t>(material.colorTexture.value_or(shared::kNone));
+    r.roughnessTexture = static_cast<std::uint32_t>(material.roughnessTexture.value_or(shared::kNone));
     if (const auto* diffuse = std::get_if<Diffuse>(&material.model)) {
         r.type = shared::kMaterialDiffuse;
         r.color = diffuse->albedo;
@@ -32,6 +33,7 @@ shared::MaterialRecord materialRecord(const Material& material) {
         r.type = shared::kMaterialDielectric;
         r.color = vec3(1);
         r.ior = static_cast<float>(std::get<Dielectric>(material.model).ior);
+        r.extinction = std::get<Dielectric>(material.model).absorption;
     }
     return r;
 }
@@ -103,8 +105,15 @@ shared::CameraRecord cameraRecord(const Camera& camera) {
     const dvec3 up = glm::cross(right, forward);
     const double tangent = std::tan(0.5 * camera.fov * std::numbers::pi / 180);
     const double aspect = static_cast<double>(camera.resolution.x) / static_cast<double>(camera.resolution.y);
-    return {camera.position,    forward, right * (tangent * aspect), up * tangent, camera.resolution.x,
-            camera.resolution.y};
+    const double focus = camera.focusDistance > 0 ? camera.focusDistance : glm::length(camera.lookAt - camera.position);
+    return {camera.position,
+            forward,
+            right * (tangent * aspect),
+            up * tangent,
+            camera.resolution.x,
+            camera.resolution.y,
+            static_cast<float>(0.5 * camera.aperture),
+            static_cast<float>(focus)};
 }
 
 std::vector<shared::LightRecord> lightRecords(const Scene& scene) {
@@ -134,6 +143,24 @@ std::vector<shared::LightRecord> lightRecords(const Scene& scene) {
     lights.back().cdf = 1;
     return lights;
 }
+
+namespace {
+
+void uploadTextures(const gpu::Context& context, gpu::TexelTables& tables, const Scene& scene,
+                    const std::vector<std::uint32_t>& fileOrder, DeviceScene& device) {
+    device.specialization["kTextures"] = hasTextures(scene) ? 1 : 0;
+    if (!hasTextures(scene)) {
+        return;
+    }
+    const std::vector<glm::vec4> textures = textureTexels(scene.textures);
+    const std::vector<glm::vec4> coordinates = coordinateTexels(scene.meshes, fileOrder);
+    device.textures = {context, std::span<const glm::vec4>(textures), "textures"};
+    device.textureCoordinates = {context, std::span<const glm::vec4>(coordinates), "texture coordinates"};
+    tables.set(TABLE_TEXTURES, device.textures.buffer(), gpu::TexelFormat::Float4);
+    tables.set(TABLE_TEXTURE_COORDINATES, device.textureCoordinates.buffer(), gpu::TexelFormat::Float4);
+}
+
+} // namespace
 
 DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, const Scene& scene) {
     MeshTables meshes = buildMeshTables(scene.meshes);
@@ -167,6 +194,7 @@ DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, c
     tables.set(TABLE_NODES, device.nodes.buffer(), gpu::TexelFormat::Uint4);
     tables.set(TABLE_OBJECTS, device.objects.buffer(), gpu::TexelFormat::Float4);
     tables.set(TABLE_TRIANGLES, device.triangles.buffer(), gpu::TexelFormat::Float4);
+    uploadTextures(context, tables, scene, meshes.fileOrder, device);
     const bool areFew = scene.objects.size() <= kFewObjects;
     device.specialization["kShapeTypes"] = objects.shapeTypes;
     device.specialization["kFewObjects"] = areFew ? static_cast<std::uint32_t>(scene.objects.size()) : 0;

@@ -18,6 +18,8 @@ struct DeviceScene {
     gpu::Array<glm::uvec4> nodes;
     gpu::Array<glm::vec4> objects;
     gpu::Array<glm::vec4> triangles;
+    gpu::Array<glm::vec4> textures;
+    gpu::Array<glm::vec4> textureCoordinates; // of the triangles
     std::uint32_t rootNode = 0;
     std::uint32_t lightCount = 0;
     gpu::Array<shared::TargetRecord> targets; // what caustic photons are aimed at

@@ -17,8 +17,10 @@ std::vector<LayerKind> layersOf(const RenderSettings& render) {
         return Ppm::layers();
     case Integrator::PhotonMap:
         return PhotonMapping::layers(render.photonMap.view);
+    case Integrator::Path:
+        break;
     }
-    throw Error(ExitCode::WrongUsage, "unknown integrator");
+    throw Error(ExitCode::WrongUsage, "this integrator has no kernels");
 }
 
 std::unique_ptr<PassIntegrator> makeIntegrator(Device& device, const Scene& scene, const DeviceScene& deviceScene,
@@ -30,8 +32,10 @@ std::unique_ptr<PassIntegrator> makeIntegrator(Device& device, const Scene& scen
         return std::make_unique<Ppm>(device, scene, deviceScene, film);
     case Integrator::PhotonMap:
         return std::make_unique<PhotonMapping>(device, scene, deviceScene, film, options);
+    case Integrator::Path:
+        break;
     }
-    throw Error(ExitCode::WrongUsage, "unknown integrator");
+    throw Error(ExitCode::WrongUsage, "this integrator has no kernels");
 }
 
 } // namespace

@@ -20,8 +20,8 @@ Whitted::Whitted(Device& device, const Scene& scene, const DeviceScene& deviceSc
     : device_(device), scene_(scene), deviceScene_(deviceScene), film_(film),
       generateCameraRays_(device.kernel("generate_camera_rays")),
       traceClosest_(device.kernel("trace_closest", deviceScene.specialization)),
-      shadeSurface_(device.kernel("shade_surface")), compactCameraPaths_(device.kernel("compact_camera_paths")),
-      sampleLights_(device.kernel("sample_lights")),
+      shadeSurface_(device.kernel("shade_surface", deviceScene.specialization)),
+      compactCameraPaths_(device.kernel("compact_camera_paths")), sampleLights_(device.kernel("sample_lights")),
       traceShadow_(device.kernel("trace_shadow", deviceScene.specialization)), sumPaths_(device.kernel("sum_paths")),
       prefixSum_(device), level_(device.context, film.pixelCount()) {}
 

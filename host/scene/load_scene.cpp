@@ -6,6 +6,7 @@
 #include "scene/read_lights.h"
 #include "scene/read_materials.h"
 #include "scene/read_shapes.h"
+#include "scene/read_textures.h"
 #include "scene/read_transform.h"
 #include "scene/reader.h"
 #include "scene/scene_limits.h"
@@ -28,10 +29,17 @@ void checkVersion(const Value& version) {
     }
 }
 
+void readTextures(const Value& value, const std::filesystem::path& folder, Scene& scene) {
+    const Reader map(value); // as of the materials
+    for (const YamlEntry& entry : map.map().node().entries) {
+        scene.textures.push_back(readTexture(Value(*entry.value, value.file(), entry.key), folder));
+    }
+}
+
 void readMaterials(const Value& value, Scene& scene) {
     const Reader map(value); // for its check that this is a map: the keys are names of the user's choice
     for (const YamlEntry& entry : map.map().node().entries) {
-        scene.materials.push_back(readMaterial(Value(*entry.value, value.file(), entry.key)));
+        scene.materials.push_back(readMaterial(Value(*entry.value, value.file(), entry.key), scene));
     }
 }
 
@@ -129,6 +137,7 @@ void readScene(const Value& root, const std::filesystem::path& folder, Scene& sc
     checkVersion(reader.require("hyalite"));
     const auto camera = reader.find("camera");
     const auto render = reader.find("render");
+    const auto textures = reader.find("textures");
     const auto materials = reader.find("materials");
     const auto lights = reader.find("lights");
     const Value objects = reader.require("objects");
@@ -139,6 +148,9 @@ void readScene(const Value& root, const std::filesystem::path& folder, Scene& sc
     }
     if (render) {
         readRenderSettings(*render, scene.render);
+    }
+    if (textures) {
+        readTextures(*textures, folder, scene);
     }
     if (materials) {
         readMaterials(*materials, scene);
@@ -157,6 +169,7 @@ void readScene(const Value& root, const std::filesystem::path& folder, Scene& sc
         objects.fail("the scene has no objects");
     }
     checkScene(root, scene);
+    checkTextures(scene);
 }
 
 } // namespace

@@ -1,6 +1,9 @@
 // See read_materials.h. A new material is a reader here and a row of kMaterials.
 #include "scene/read_materials.h"
 
+#include "scene/read_textures.h"
+#include "scene/scene_limits.h"
+
 #include <array>
 
 namespace hyalite {
@@ -8,26 +11,29 @@ namespace {
 
 constexpr Range kFraction{0, 1};
 constexpr Range kIor{0.01, 100}; // glass 1.5, diamond 2.4; below 1: a bubble in glass
+constexpr Range kAbsorption{0, 1 / kSmallestLength, true, true, "1/m"};
 
-MaterialModel readDiffuse(Reader& reader) {
+MaterialModel readDiffuse(Reader& reader, const Scene& scene, Material& material) {
     Diffuse diffuse;
-    reader.optionalColor("albedo", diffuse.albedo, kFraction);
+    readTexturedColor(reader, "albedo", kFraction, scene, diffuse.albedo, material.colorTexture);
     return diffuse;
 }
 
-MaterialModel readMirror(Reader& reader) {
+MaterialModel readMirror(Reader& reader, const Scene& scene, Material& material) {
     Mirror mirror;
-    reader.optionalColor("reflectance", mirror.reflectance, kFraction);
+    readTexturedColor(reader, "reflectance", kFraction, scene, mirror.reflectance, material.colorTexture);
     return mirror;
 }
 
-MaterialModel readDielectric(Reader& reader) {
+MaterialModel readDielectric(Reader& reader, const Scene& /*scene*/, Material& /*has no textures*/) {
     Dielectric dielectric;
     reader.optional("ior", dielectric.ior, kIor);
+    reader.optionalColor("absorption", dielectric.absorption, kAbsorption);
     return dielectric;
 }
 
-using ReadModel = MaterialModel (*)(Reader&);
+// Sets the material's textures, too.
+using ReadModel = MaterialModel (*)(Reader&, const Scene&, Material&);
 constexpr std::array<Choice<ReadModel>, 3> kMaterials{{
     {"diffuse", readDiffuse},
     {"mirror", readMirror},
@@ -36,10 +42,12 @@ constexpr std::array<Choice<ReadModel>, 3> kMaterials{{
 
 } // namespace
 
-Material readMaterial(const Value& value) {
+Material readMaterial(const Value& value, const Scene& scene) {
     Reader reader(value);
     const auto read = choose<ReadModel>(reader.require("type"), "material type", kMaterials);
-    Material material{value.name(), read(reader)};
+    Material material;
+    material.name = value.name();
+    material.model = read(reader, scene, material);
     reader.finish();
     return material;
 }

@@ -3,10 +3,13 @@
 #pragma once
 
 #include "base/error.h"
+#include "image/image.h"
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -18,11 +21,13 @@ struct Camera {
     glm::dvec3 position{0, 0, 5}; // [m]
     glm::dvec3 lookAt{0, 0, 0};   // [m]
     glm::dvec3 up{0, 1, 0};
-    double fov = 45; // vertical [degrees], in (0, 180)
+    double fov = 45;          // vertical [degrees], in (0, 180)
+    double aperture = 0;      // diameter of the lens [m]; 0: a pinhole
+    double focusDistance = 0; // along the view to the plane that is sharp [m]; 0: that of lookAt
     glm::uvec2 resolution{512, 512};
 };
 
-enum class Integrator { Whitted, Ppm, PhotonMap };
+enum class Integrator { Whitted, Ppm, PhotonMap, Path };
 
 // Integrator photonmap: two passes, photons from the lights and rays from the eye [Jensen01].
 enum class PhotonStructure { Tree, Grid };
@@ -49,7 +54,7 @@ struct PhotonMapSettings {
 struct RenderSettings {
     Integrator integrator = Integrator::Ppm;
     std::uint32_t maxDepth =
-        12; // ppm: segments of a whole path, 1..255; whitted: reflections and refractions in a row, 0..254
+        12; // ppm, path: segments of a whole path, 1..255; whitted: reflections and refractions in a row, 0..254
     std::uint32_t passes = 64;      // >= 1
     std::uint32_t photons = 200000; // emitted per pass, >= 1
     std::uint32_t seed = 1;
@@ -68,13 +73,33 @@ struct Mirror {
     glm::dvec3 reflectance{1}; // [0, 1]
 };
 struct Dielectric {
-    double ior = 1.5; // inside over outside, > 0
+    double ior = 1.5;         // inside over outside, > 0
+    glm::dvec3 absorption{0}; // coefficient inside [1/m]
 };
 using MaterialModel = std::variant<Diffuse, Mirror, Dielectric>;
+
+// Two colours in cubes of the world, or in squares of the surface's coordinates (u, v), by turns.
+struct Checker {
+    std::array<glm::dvec3, 2> colors{glm::dvec3(0.2), glm::dvec3(0.8)}; // [0, 1]; the first from the origin on
+    double size = 0.1;                                                  // edge of a cell [m], or in units of u and v
+    bool inWorld = true;
+};
+// A picture over the unit square of (u, v), v upwards, repeated beyond it.
+struct ImageTexture {
+    std::shared_ptr<const Image> image; // [0, 1]
+};
+using TextureModel = std::variant<Checker, ImageTexture>;
+
+struct Texture {
+    std::string name;
+    TextureModel model;
+};
 
 struct Material {
     std::string name;
     MaterialModel model;
+    std::optional<std::size_t> colorTexture = {};     // in Scene::textures; multiplies the model's colour
+    std::optional<std::size_t> roughnessTexture = {}; // likewise: green times roughness, blue times metallic
 };
 
 struct PointLight {
@@ -163,13 +188,14 @@ struct Mesh {
     std::vector<glm::vec3> positions;  // object space [m]
     std::vector<glm::vec3> normals;    // per position, unit; empty: flat shading
     std::vector<glm::uvec3> triangles; // indices into positions, counter-clockwise from the front
-    std::vector<glm::vec2> uvs;        // texture coordinates per position; empty: none
+    std::vector<glm::vec2> uvs;        // per position, v upwards; empty: none
 };
 
 struct Scene {
     std::string file;
     Camera camera;
     RenderSettings render;
+    std::vector<Texture> textures;
     std::vector<Material> materials;
     std::vector<PointLight> lights; // emitting objects are lights too
     std::vector<Object> objects;

@@ -5,9 +5,11 @@
 // longest path: that one belongs to the camera.
 #include "shared/kernel_arguments.h"
 #include "lib/dielectric.glsl"
+#include "lib/medium.glsl"
 #include "lib/photon.glsl"
 #include "lib/sampling.glsl"
 #include "lib/surface.glsl"
+#include "lib/texture.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { ScatterPhotonArguments args; };
@@ -28,6 +30,7 @@ void follow(uint i, Surface s, vec3 direction, bool through, PhotonPath path, ve
     args.nextRays.at[i] = leaveSurface(s, direction, through);
     path.power = power;
     path.kind = kind;
+    path.medium = through ? (s.front ? s.material : kNone) : path.medium;
     args.nextPaths.at[i] = path;
     args.alive.at[i] = 1u;
 }
@@ -88,11 +91,14 @@ void main() {
     }
     Ray ray = args.rays.at[i];
     Surface s = surfaceAt(ray, hit, args.normals, args.instances);
+    vec3 started = path.power;
+    path.power *= transmittance(args.materials, path.medium, hit.t);
+    vec3 lost = started - path.power; // in glass, on the way here
     if (s.material == kNone) {
-        account(path, vec3(0.0), path.power, vec3(0.0), vec3(0.0));
+        account(path, vec3(0.0), started, vec3(0.0), vec3(0.0));
         return;
     }
-    MaterialRecord material = args.materials.at[s.material];
+    MaterialRecord material = texturedMaterial(args.materials.at[s.material], s);
     bool diffuse = material.type == kMaterialDiffuse;
     if (diffuse && isWanted(path.kind)) {
         store(args.firstPhoton + i, s, ray.direction, path);
@@ -109,5 +115,5 @@ void main() {
                          : scatterSpecular(i, s, material, ray.direction, path, roulette);
     }
     vec3 left = path.power - onward - cutOff;
-    account(path, diffuse ? left : vec3(0.0), diffuse ? vec3(0.0) : left, vec3(0.0), cutOff);
+    account(path, diffuse ? left : vec3(0.0), (diffuse ? vec3(0.0) : left) + lost, vec3(0.0), cutOff);
 }

@@ -5,8 +5,10 @@
 // (split = 0, visible points and emission stand at the pixel) or both (split = 1, they stand at the path's number).
 #include "shared/kernel_arguments.h"
 #include "lib/dielectric.glsl"
+#include "lib/medium.glsl"
 #include "lib/sampling.glsl"
 #include "lib/surface.glsl"
+#include "lib/texture.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { ShadeSurfaceArguments args; };
@@ -21,6 +23,7 @@ void follow(uint slot, Surface s, vec3 direction, bool through, CameraPath path,
     }
     args.nextRays.at[slot] = leaveSurface(s, direction, through);
     path.beta = beta;
+    path.medium = through ? (s.front ? s.material : kNone) : path.medium;
     path.samplerSeed = samplerSeed;
     args.nextPaths.at[slot] = path;
     args.alive.at[slot] = 1u;
@@ -65,11 +68,12 @@ void main() {
     if (hit.object != kNone) {
         Ray ray = args.rays.at[id];
         Surface s = surfaceAt(ray, hit, args.normals, args.instances);
+        path.beta *= transmittance(args.materials, path.medium, hit.t);
         if (s.light != kNone && s.front) {
             emitted = path.beta * args.lights.at[s.light].emission;
         }
         if (s.material != kNone) {
-            MaterialRecord material = args.materials.at[s.material];
+            MaterialRecord material = texturedMaterial(args.materials.at[s.material], s);
             if (material.type == kMaterialDiffuse) {
                 visible.position = s.position + s.error * s.geometricNormal;
                 visible.depth = args.depth;

@@ -10,6 +10,9 @@ layout(constant_id = 1) const uint kFewObjects = 0u;
 // The first objects of the table that have no end and stand outside the hierarchy.
 layout(constant_id = 2) const uint kEndlessObjects = 0u;
 
+// 0: no material has a texture.
+layout(constant_id = 4) const uint kTextures = 1u;
+
 bool sceneHas(uint shape) {
     return ((kShapeTypes >> shape) & 1u) != 0u;
 }

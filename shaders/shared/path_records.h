@@ -88,7 +88,7 @@ SHARED_CONSTANT kLengthMax = 255u;
 // What became of the flux that a photon left its light with [W]; the four add up to it.
 struct PhotonFate {
     vec3 stored;   // left on diffuse surfaces where a photon was stored
-    vec3 absorbed; // by mirrors, glass and surfaces that reflect nothing
+    vec3 absorbed; // by mirrors, in glass and by surfaces that reflect nothing
     vec3 escaped;  // out of the scene
     vec3 cutOff;   // would have been reflected on at the end of the longest path
 };

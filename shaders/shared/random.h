@@ -87,6 +87,7 @@ SHARED_FUNCTION uvec2 sampleBits(Sampler s, uint dimension) {
 
 // Which pair of numbers a choice along a path uses. Vertices are counted from 0, the first hit.
 SHARED_CONSTANT kCameraPixel = 0u; // place in the pixel
+SHARED_CONSTANT kCameraLens = 1u;  // place on the lens
 
 SHARED_FUNCTION uint cameraScatter(uint vertex) { // x: reflected or refracted
     return 2u + 3u * vertex;
@@ -103,6 +104,16 @@ SHARED_FUNCTION uint gatherSequence(uint samplerSeed) {
     return hashCombine(samplerSeed, 64u);
 }
 SHARED_CONSTANT kGatherDirection = 0u;
+
+// Path tracing goes on from diffuse surfaces, with dimensions beyond those of the longest path above.
+SHARED_CONSTANT kPathFirst = 1024u;
+
+SHARED_FUNCTION uint pathBounce(uint vertex) { // direction after a diffuse reflection
+    return kPathFirst + 8u * vertex;
+}
+SHARED_FUNCTION uint pathRoulette(uint vertex) { // x: does the path go on
+    return kPathFirst + 8u * vertex + 1u;
+}
 
 SHARED_CONSTANT kPhotonLight = 0u;     // x: which light emits, y: which target it aims at
 SHARED_CONSTANT kPhotonOrigin = 1u;    // point on the light

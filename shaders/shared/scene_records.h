@@ -4,14 +4,17 @@
 #include "language.h"
 SHARED_BEGIN
 
-// Pinhole camera: the ray through image point (x, y) in [-1, 1]^2, y up, has direction forward + x right + y up.
+// The ray through image point (x, y) in [-1, 1]^2, y up, and the middle of the lens has direction
+// forward + x right + y up; those through other points of the lens meet it focusDistance along forward.
 struct CameraRecord {
-    vec3 position; // world [m]
-    vec3 forward;  // unit
-    vec3 right;    // length tan(horizontal fov / 2)
-    vec3 up;       // length tan(vertical fov / 2)
-    uint width;    // [pixels]
-    uint height;   // [pixels]
+    vec3 position;       // middle of the lens, world [m]
+    vec3 forward;        // unit
+    vec3 right;          // length tan(horizontal fov / 2)
+    vec3 up;             // length tan(vertical fov / 2)
+    uint width;          // [pixels]
+    uint height;         // [pixels]
+    float lensRadius;    // [m]; 0: a pinhole
+    float focusDistance; // from the lens to the plane that is sharp [m]
 };
 
 SHARED_CONSTANT kMaterialAbsorber = 0u;   // reflects nothing
@@ -99,6 +102,19 @@ SHARED_CONSTANT kCsgDifference = 3u; // the lower of the two without the upper
 SHARED_CONSTANT kTexelsPerTriangle = 3u;
 DEVICE_ARRAY(vec3, NormalArray); // zero vector: flat
 
+// The texture coordinates of a triangle's corners are two texels of a table of their own, which holds nothing where the
+// scene has no textures: (u0, v0, u1, v1) (u2, v2, -, -).
+SHARED_CONSTANT kTexelsPerCoordinates = 2u;
+
+// A texture is two texels at the head of the texture table, behind which stand the texels of the images, row by row
+// from the top:
+//   image:   0 (kTextureImage, first texel, width, height) as bits
+//   checker: 0 (kTextureChecker… as bits, first colour)  1 (cells per metre or per unit of u and v, second colour)
+SHARED_CONSTANT kTexelsPerTexture = 2u;
+SHARED_CONSTANT kTextureImage = 0u;
+SHARED_CONSTANT kTextureCheckerWorld = 1u;
+SHARED_CONSTANT kTextureCheckerUv = 2u;
+
 // What surface evaluation needs of an object beyond its texels; one per object.
 struct InstanceRecord {
     vec4 row0; // rows of the 3x4 matrix from object to world space; the identity for shapes kept in world space
@@ -123,7 +139,9 @@ SHARED_CONSTANT kLeafFirstMask = 0x07ffffffu;
 #define TABLE_OBJECTS 1
 #define TABLE_TRIANGLES 2
 #define TABLE_PHOTONS 3
-#define TABLE_COUNT 4
+#define TABLE_TEXTURES 4
+#define TABLE_TEXTURE_COORDINATES 5
+#define TABLE_COUNT 6
 
 SHARED_END
 #endif

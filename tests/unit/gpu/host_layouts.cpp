@@ -27,7 +27,7 @@ using namespace hyalite::shared; // the names below are the kernels'
 
 std::map<std::string, HostLayout> hostLayouts() {
     std::map<std::string, HostLayout> layouts;
-    HOST_LAYOUT(CameraRecord, position, forward, right, up, width, height);
+    HOST_LAYOUT(CameraRecord, position, forward, right, up, width, height, lensRadius, focusDistance);
     HOST_LAYOUT(MaterialRecord, type, color, extinction, ior, roughness, metallic, colorTexture, roughnessTexture);
     HOST_LAYOUT(LightRecord, type, position, edge0, edge1, normal, area, emission, power, pmf, cdf);
     HOST_LAYOUT(InstanceRecord, row0, row1, row2);
@@ -40,7 +40,7 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(PhotonFate, stored, absorbed, escaped, cutOff);
     HOST_LAYOUT(GridRecord, inverseCellSize, bucketMask);
     HOST_LAYOUT(GenerateCameraRaysArguments, rays, paths, camera.position, camera.forward, camera.right, camera.up,
-                camera.width, camera.height, count, seed, pass);
+                camera.width, camera.height, camera.lensRadius, camera.focusDistance, count, seed, pass);
     HOST_LAYOUT(TraceClosestArguments, rays, hits, count, rootNode);
     HOST_LAYOUT(ShadeSurfaceArguments, rays, hits, paths, materials, lights, normals, instances, visiblePoints, emitted,
                 nextRays, nextPaths, alive, count, depth, maxDepth, pass, split, minWeight);

@@ -97,7 +97,8 @@ TEST_CASE("a scene needs its version, its objects and a light") {
 TEST_CASE("mistakes in the camera are reported at the key") {
     checkAll({
         {withCamera("$12"), "'camera' must be a map"},
-        {withCamera("{$feild: 3}"), "unknown key 'feild' in 'camera'", "known: position, look_at, up, fov, resolution"},
+        {withCamera("{$feild: 3}"), "unknown key 'feild' in 'camera'",
+         "known: position, look_at, up, fov, aperture, focus_distance, resolution"},
         {withCamera("{$fow: 3}"), "unknown key 'fow'", "did you mean 'fov'?"},
         {withCamera("{fov: $wide}"), "'fov' must be a number, found the text 'wide'"},
         {withCamera("{fov: $\"39\"}"), "found the text '39'"},

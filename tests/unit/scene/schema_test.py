@@ -21,9 +21,12 @@ for path in scenes:
 
 GOOD = {
     "hyalite": 1,
-    "camera": {"fov": 40, "resolution": [640, 480]},
+    "camera": {"fov": 40, "resolution": [640, 480], "aperture": 0.1, "focus_distance": 2},
+    "textures": {"c": {"type": "checker", "colors": [0, [1, 1, 1]], "size": 2, "space": "uv"},
+                 "i": {"type": "image", "file": "i.png", "encoding": "linear"}},
     "render": {"integrator": "whitted", "max_depth": 0, "radius": 0},
-    "materials": {"m": {"type": "diffuse", "albedo": 0.5}},
+    "materials": {"m": {"type": "diffuse", "albedo": 0.5}, "t": {"type": "mirror", "reflectance": {"texture": "c"}},
+                  "g": {"type": "dielectric", "absorption": [0, 1, 2]}},
     "lights": [{"type": "point", "position": [0, 1, 0], "intensity": [1, 1, 1]}],
     "objects": [
         {"shape": {"type": "sphere", "radius": 1}, "material": "m", "transform": [{"scale": 2}]},
@@ -47,6 +50,11 @@ MISTAKES = [
     (["hyalite"], 2), (["hyalite"], None), (["objects"], []), (["objects"], None), (["unheardof"], 1),
     (["camera", "fov"], 0), (["camera", "fov"], 180), (["camera", "fov"], "40"), (["camera", "fow"], 40),
     (["camera", "resolution"], [0, 480]), (["camera", "resolution"], [640]), (["camera", "resolution"], [640, 65537]),
+    (["camera", "aperture"], -1), (["camera", "focus_distance"], 0),
+    (["textures", "c", "colors"], [0]), (["textures", "c", "colors"], [0, 2]), (["textures", "c", "size"], 0),
+    (["textures", "c", "space"], "object"), (["textures", "c", "type"], "noise"), (["textures", "i", "file"], None),
+    (["textures", "i", "encoding"], "gamma"), (["materials", "t", "reflectance"], {"texture": "c", "scale": 2}),
+    (["materials", "g", "absorption"], -1), (["materials", "g", "absorption"], {"texture": "c"}),
     (["camera", "position"], [0, 1]), (["camera", "position"], [0, 1, 1e10]),
     (["render", "integrator"], "pmm"), (["render", "max_depth"], 255), (["render", "passes"], 0),
     (["render", "photons"], 16777217), (["render", "radius"], -1), (["render", "alpha"], 1),
