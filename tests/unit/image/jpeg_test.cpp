@@ -64,3 +64,25 @@ TEST_CASE("a damaged JPEG file is refused by name") {
     }
     CHECK_FALSE(looksLikeJpeg(std::span(file).subspan(1)));
 }
+
+TEST_CASE("every prefix of a JPEG file, and files with a changed byte, give a picture or an error") {
+    const std::vector<std::byte> file = twoColors();
+    const auto decodes = [](const std::vector<std::byte>& bytes) {
+        try {
+            return decodeJpeg(bytes, "t.jpg", Encoding::Linear).width > 0;
+        } catch (const Error& error) {
+            REQUIRE(error.code() == ExitCode::BadInput);
+            return false;
+        }
+    };
+    int refused = 0;
+    for (std::size_t i = 0; i < file.size(); ++i) {
+        refused += decodes(std::vector(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(i))) ? 0 : 1;
+        for (const unsigned bit : {0U, 3U, 7U}) {
+            std::vector<std::byte> changed = file;
+            changed[i] ^= std::byte{1} << bit;
+            refused += decodes(changed) ? 0 : 1;
+        }
+    }
+    CHECK(refused > 0);
+}
