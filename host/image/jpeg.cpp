@@ -7,12 +7,15 @@
 
 #include <algorithm>
 #include <array>
+#include <climits>
 #include <memory>
 #include <stb/stb_image.h>
 #include <utility>
 
 namespace hyalite {
 namespace {
+
+constexpr std::size_t kPixelsPerBlock = 64;
 
 [[noreturn]] void throwBad(const std::string& fileName, const std::string& what) {
     throw Error(ExitCode::BadInput, SourceLocation{fileName}, "damaged JPEG file: " + what);
@@ -37,9 +40,14 @@ Image decodeJpeg(std::span<const std::byte> file, const std::string& fileName, E
     if (::stbi_info_from_memory(bytes, size, &width, &height, &channels) == 0) {
         throwBad(fileName, ::stbi_failure_reason());
     }
-    if (static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > kMaxImagePixels) {
-        throw Error(ExitCode::BadInput, SourceLocation{fileName},
-                    "the picture is too large: " + std::to_string(width) + " x " + std::to_string(height) + " pixels");
+    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    const std::string dimensions = std::to_string(width) + " x " + std::to_string(height) + " pixels";
+    if (pixels > kMaxImagePixels) {
+        throw Error(ExitCode::BadInput, SourceLocation{fileName}, "the picture is too large: " + dimensions);
+    }
+    // A block of 8 x 8 pixels takes at least one bit. Without this a few bytes could ask for gigabytes.
+    if (pixels / kPixelsPerBlock / CHAR_BIT > file.size()) {
+        throwBad(fileName, dimensions + " do not fit into " + std::to_string(file.size()) + " bytes");
     }
     const auto release = [](unsigned char* samples) { ::stbi_image_free(samples); };
     const std::unique_ptr<unsigned char, decltype(release)> samples(

@@ -126,6 +126,10 @@ std::vector<std::byte> encodePng(const Image& image) {
     return file;
 }
 
+Image decodePng(std::span<const std::byte> file, const std::string& fileName) {
+    return decodePng(file, fileName, Encoding::Srgb);
+}
+
 Image decodePng(std::span<const std::byte> file, const std::string& fileName, Encoding encoding) {
     if (!std::in_range<int>(file.size())) {
         throw Error(ExitCode::BadInput, SourceLocation{fileName}, "the file is larger than 2 GiB");

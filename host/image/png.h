@@ -18,8 +18,8 @@ namespace hyalite {
 // What the numbers of the file stand for: light by the transfer function of sRGB, or shares of 1 as they are.
 enum class Encoding { Srgb, Linear };
 
-// Throws Error(BadInput) that names `fileName`.
-[[nodiscard]] Image decodePng(std::span<const std::byte> file, const std::string& fileName,
-                              Encoding encoding = Encoding::Srgb);
+// Throw Error(BadInput) that names `fileName`; without an encoding: sRGB.
+[[nodiscard]] Image decodePng(std::span<const std::byte> file, const std::string& fileName);
+[[nodiscard]] Image decodePng(std::span<const std::byte> file, const std::string& fileName, Encoding encoding);
 
 } // namespace hyalite

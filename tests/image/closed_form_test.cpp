@@ -52,6 +52,29 @@ TEST_CASE("a diffuse sphere with albedo one half and a light of pi W/sr at its c
     }
 }
 
+TEST_CASE("a pane of absorbing glass transmits (1 - F)^2 a / (1 - F^2 a^2)") {
+    // a = e^(-sigma d) is what one passage leaves; each pair of reflections within the pane takes F^2 and two passages
+    // more. F = ((n - 1) / (n + 1))^2 at normal incidence; a light of radiance 1 stands behind the pane.
+    const double d = 0.4;
+    const double n = 1.5;
+    const dvec3 sigma(0, 1.5, 6);
+    Scene scene = reference::test::onePixel({0, 0, 3}, {0, 0, 0}, Integrator::Whitted);
+    scene.render.maxDepth = 30;
+    scene.render.minWeight = 0;
+    const std::size_t glass = reference::test::addMaterial(scene, Dielectric{n, sigma});
+    reference::test::addObject(scene, Quad{{-1, -1, d / 2}, {2, 0, 0}, {0, 2, 0}}, glass);
+    reference::test::addObject(scene, Quad{{-1, -1, -d / 2}, {0, 2, 0}, {2, 0, 0}}, glass);
+    reference::test::addObject(scene, Quad{{-1, -1, -3}, {2, 0, 0}, {0, 2, 0}}, std::nullopt, dvec3(1));
+    const vec3 L = onDevice(scene).at(0, 0);
+    const double F = std::pow((n - 1) / (n + 1), 2);
+    for (int channel = 0; channel < 3; ++channel) {
+        const double a = std::exp(-sigma[channel] * d);
+        const double expected = (1 - F) * (1 - F) * a / (1 - F * F * a * a);
+        // The thickness is the difference of two positions right to 1e-7: 6/m makes 1e-6 of it; and roundings
+        CHECK(std::abs(double{L[channel]} - expected) < 3e-6 * expected);
+    }
+}
+
 TEST_CASE("cut after n segments the lit sphere has the first terms of its series only") {
     // Segments: camera + light = 2 for direct light, one more per bounce: maxDepth 3 leaves 1/2 + 1/4
     for (const auto& [maxDepth, expected] : {std::pair{2U, 0.5}, {3U, 0.75}, {4U, 0.875}}) {

@@ -99,6 +99,42 @@ TEST_CASE("camera paths lose in glass what the reference says, enter it at its f
           count / 6); // those that start in the glass ball with the glass for their medium are reflected in it
 }
 
+TEST_CASE("the kernels' exponential is right to a few roundings wherever it is above zero") {
+    // A light of radiance 1 in the plane z = 0, rays towards it from multiples of 1/8 m in glass that absorbs 1/m: the
+    // distance and its product with the coefficient are exact, e^-t alone is not. The series is right to 6e-9, and
+    // about four roundings of up to 2^-24 each follow: 2.5e-7.
+    Scene scene = reference::test::cornellBox();
+    scene.materials[kGlass].model = Dielectric{1.5, dvec3(1)};
+    scene.objects.clear();
+    reference::test::addObject(scene, Quad{{-1, -1, 0}, {2, 0, 0}, {0, 2, 0}}, std::nullopt, dvec3(1));
+    BothSides both(scene);
+    const std::uint32_t count = 800; // up to 100 m; from 87 on nothing is left
+    std::vector<shared::Ray> rays;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        rays.push_back({vec3(0, 0, static_cast<float>(i + 1) / 8), 3e38F, vec3(0, 0, -1), 0});
+    }
+    const auto device = both.upload(rays);
+    const auto paths =
+        both.upload(std::vector<shared::CameraPath>(count, {vec3(1), 0, 0, static_cast<shared::uint>(kGlass), 0}));
+    const auto hits = both.room<shared::Hit>(count);
+    const auto visible = both.room<shared::VisiblePoint>(count);
+    const auto emitted = both.room<vec3>(count);
+    const auto nextRays = both.room<shared::Ray>(2 * count);
+    const auto nextPaths = both.room<shared::CameraPath>(2 * count);
+    const auto alive = both.room<shared::uint>(2 * count);
+    const auto& d = both.deviceScene;
+    both.run("trace_closest", shared::TraceClosestArguments{device, hits, count, d.rootNode}, count);
+    both.run("shade_surface",
+             shared::ShadeSurfaceArguments{device, hits, paths, d.materials, d.lights, d.normals, d.instances, visible,
+                                           emitted, nextRays, nextPaths, alive, count, 1, 7, 0, 1, 0},
+             count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const double t = (i + 1) / 8.0;
+        const double expected = t < 87 ? std::exp(-t) : 0;
+        CHECK(std::abs(double{emitted.host()[i].x} - expected) <= 2.5e-7 * expected);
+    }
+}
+
 TEST_CASE("photons lose in glass what the reference says, and the account of their flux stays whole") {
     BothSides both(absorbingBox());
     const std::uint32_t count = 10000;
