@@ -28,6 +28,29 @@ vec2 sinCosTurns(float turns) {
     return (q & 2u) != 0u ? -sc : sc;
 }
 
+// atan(x) for 0 <= x <= tan(pi/8): Taylor series, error below 1 ulp of 1.
+float atanSmall(float x) {
+    float s = x * x;
+    return x * (1.0 + s * (-1.0 / 3.0 + s * (1.0 / 5.0 + s * (-1.0 / 7.0 + s * (1.0 / 9.0 + s * (-1.0 / 11.0 +
+               s * (1.0 / 13.0 + s * (-1.0 / 15.0 + s * (1.0 / 17.0)))))))));
+}
+
+// The angle from the x axis to (x, y), counter-clockwise, as a share of a full turn, in [0, 1]; 0 for the zero vector.
+float turnsOf(float y, float x) {
+    float low = min(abs(x), abs(y));
+    float high = max(abs(x), abs(y));
+    if (high == 0.0) {
+        return 0.0;
+    }
+    float ratio = low / high;
+    // atan(r) = pi/4 + atan((r - 1) / (r + 1))
+    float octant = ratio > 0.41421356 ? 0.125 - atanSmall((high - low) / (high + low)) / (2.0 * kPi)
+                                      : atanSmall(ratio) / (2.0 * kPi);
+    float quarter = abs(y) > abs(x) ? 0.25 - octant : octant;
+    float halfTurn = x < 0.0 ? 0.5 - quarter : quarter;
+    return y < 0.0 ? 1.0 - halfTurn : halfTurn;
+}
+
 float maxComponent(vec3 v) {
     return max(v.x, max(v.y, v.z));
 }
