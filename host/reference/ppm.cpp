@@ -11,7 +11,7 @@ namespace hyalite::reference {
 
 namespace {
 
-// One shadow ray to one light, picked in proportion to power: the paths that photons of depth 1 would stand for.
+// One shadow ray to one light, picked by the pmf: the paths that photons of depth 1 would stand for.
 glm::dvec3 directLight(const World& world, const VisiblePoint& x, std::uint32_t pass) {
     if (x.depth + 1 > world.render.maxDepth) {
         return glm::dvec3(0);
@@ -24,7 +24,7 @@ glm::dvec3 tracePath(const World& world, const PhotonMap& photons, double radius
                      const CameraPath& path, std::uint32_t depth, std::uint32_t pass) {
     const std::optional<Hit> hit = traceClosest(world, ray);
     if (!hit) {
-        return glm::dvec3(0);
+        return path.beta * environmentRadiance(world, ray.direction);
     }
     const Shading shading = shadeSurface(world, ray, *hit, path, depth, pass);
     glm::dvec3 L = shading.emitted;

@@ -12,7 +12,7 @@ glm::dvec3 traceTree(const World& world, const Ray& ray, const CameraPath& path,
                      std::uint32_t pass) {
     const std::optional<Hit> hit = traceClosest(world, ray);
     if (!hit) {
-        return glm::dvec3(0);
+        return path.beta * environmentRadiance(world, ray.direction);
     }
     const Shading shading = shadeSurface(world, ray, *hit, path, depth, pass);
     glm::dvec3 L = shading.emitted;

@@ -1,6 +1,7 @@
 #include "render/device_scene.h"
 
 #include "geometry/specular_targets.h"
+#include "render/light_table.h"
 #include "render/mesh_tables.h"
 #include "render/object_table.h"
 #include "render/texture_table.h"
@@ -38,65 +39,6 @@ shared::MaterialRecord materialRecord(const Material& material) {
     return r;
 }
 
-shared::LightRecord lightRecord(const PointLight& light) {
-    shared::LightRecord r{};
-    r.type = shared::kLightPoint;
-    r.position = light.position;
-    r.emission = light.intensity;
-    r.power = 4 * std::numbers::pi * light.intensity;
-    return r;
-}
-
-shared::LightRecord lightRecord(const Quad& quad, const dvec3& radiance) {
-    const dvec3 cross = glm::cross(quad.edge0, quad.edge1);
-    const double area = glm::length(cross);
-    shared::LightRecord r{};
-    r.type = shared::kLightQuad;
-    r.position = quad.corner;
-    r.edge0 = quad.edge0;
-    r.edge1 = quad.edge1;
-    r.normal = cross / area;
-    r.area = static_cast<float>(area);
-    r.emission = radiance;
-    r.power = std::numbers::pi * area * radiance;
-    return r;
-}
-
-shared::LightRecord lightRecord(const Disk& disk, const dvec3& radiance) {
-    shared::LightRecord r = lightRecord(Quad{disk.center, disk.axis0, disk.axis1}, radiance);
-    r.type = shared::kLightDisk;
-    const double area = std::numbers::pi * glm::length(glm::cross(disk.axis0, disk.axis1));
-    r.area = static_cast<float>(area);
-    r.power = std::numbers::pi * area * radiance;
-    return r;
-}
-
-shared::LightRecord lightRecord(const Sphere& sphere, const dvec3& radiance) {
-    const double area = 4 * std::numbers::pi * sphere.radius * sphere.radius;
-    shared::LightRecord r{};
-    r.type = shared::kLightSphere;
-    r.position = sphere.center;
-    r.edge0 = vec3(static_cast<float>(sphere.radius), 0, 0);
-    r.area = static_cast<float>(area);
-    r.emission = radiance;
-    r.power = std::numbers::pi * area * radiance;
-    return r;
-}
-
-shared::LightRecord lightRecord(const Object& object) {
-    if (const auto* disk = std::get_if<Disk>(&object.shape)) {
-        return lightRecord(*disk, object.emission);
-    }
-    if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
-        return lightRecord(*sphere, object.emission);
-    }
-    return lightRecord(std::get<Quad>(object.shape), object.emission);
-}
-
-bool emits(const Object& object) {
-    return object.emission != dvec3(0);
-}
-
 } // namespace
 
 shared::CameraRecord cameraRecord(const Camera& camera) {
@@ -114,34 +56,6 @@ shared::CameraRecord cameraRecord(const Camera& camera) {
             camera.resolution.y,
             static_cast<float>(0.5 * camera.aperture),
             static_cast<float>(focus)};
-}
-
-std::vector<shared::LightRecord> lightRecords(const Scene& scene) {
-    std::vector<shared::LightRecord> lights;
-    for (const PointLight& light : scene.lights) {
-        lights.push_back(lightRecord(light));
-    }
-    for (const Object& object : scene.objects) {
-        if (emits(object)) {
-            lights.push_back(lightRecord(object));
-        }
-    }
-    const auto weight = [](const shared::LightRecord& light) {
-        return static_cast<double>(light.power.x) + static_cast<double>(light.power.y) +
-               static_cast<double>(light.power.z);
-    };
-    double total = 0;
-    for (const auto& light : lights) {
-        total += weight(light);
-    }
-    double sum = 0;
-    for (auto& light : lights) {
-        sum += weight(light);
-        light.pmf = static_cast<float>(weight(light) / total);
-        light.cdf = static_cast<float>(sum / total);
-    }
-    lights.back().cdf = 1;
-    return lights;
 }
 
 namespace {
@@ -164,13 +78,12 @@ void uploadTextures(const gpu::Context& context, gpu::TexelTables& tables, const
 
 DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, const Scene& scene) {
     MeshTables meshes = buildMeshTables(scene.meshes);
-    ObjectTable objects =
-        buildObjectTable(scene, meshes.roots, static_cast<std::uint32_t>(scene.lights.size()), meshes.nodes);
+    LightTable lights = buildLightTable(scene);
+    ObjectTable objects = buildObjectTable(scene, meshes.roots, lights.firstEmitter, meshes.nodes);
     std::vector<shared::MaterialRecord> materials;
     for (const Material& material : scene.materials) {
         materials.push_back(materialRecord(material));
     }
-    const std::vector<shared::LightRecord> lights = lightRecords(scene);
 
     std::vector<shared::TargetRecord> targets;
     for (const BoundingSphere& sphere : specularTargets(scene)) {
@@ -183,9 +96,13 @@ DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, c
     device.targetCount = static_cast<std::uint32_t>(targets.size());
     device.camera = cameraRecord(scene.camera);
     device.rootNode = objects.rootNode;
-    device.lightCount = static_cast<std::uint32_t>(lights.size());
+    device.lightCount = static_cast<std::uint32_t>(lights.lights.size());
     device.materials = {context, std::span<const shared::MaterialRecord>(materials), "materials"};
-    device.lights = {context, std::span<const shared::LightRecord>(lights), "lights"};
+    device.lightTriangles = {context, std::span<const shared::LightTriangle>(lights.triangles), "emitting triangles"};
+    device.lightTexels = {context, std::span<const vec3>(lights.texels), "environment"};
+    device.lightCdfs = {context, std::span<const float>(lights.cdfs), "parts of lights"};
+    setAddresses(lights.lights, device.lightTriangles, device.lightTexels, device.lightCdfs);
+    device.lights = {context, std::span<const shared::LightRecord>(lights.lights), "lights"};
     device.instances = {context, std::span<const shared::InstanceRecord>(objects.instances), "instances"};
     device.normals = {context, std::span<const vec3>(meshes.normals), "normals"};
     device.nodes = {context, std::span<const glm::uvec4>(meshes.nodes), "BVH nodes"};

@@ -12,7 +12,10 @@ namespace hyalite::render {
 struct DeviceScene {
     shared::CameraRecord camera;
     gpu::Array<shared::MaterialRecord> materials;
-    gpu::Array<shared::LightRecord> lights;
+    gpu::Array<shared::LightRecord> lights; // they name places in the next three
+    gpu::Array<shared::LightTriangle> lightTriangles;
+    gpu::Array<glm::vec3> lightTexels;
+    gpu::Array<float> lightCdfs;
     gpu::Array<shared::InstanceRecord> instances; // in device order, like the objects
     gpu::Array<glm::vec3> normals;                // three per triangle of the triangle table
     gpu::Array<glm::uvec4> nodes;
@@ -31,9 +34,6 @@ struct DeviceScene {
 };
 
 [[nodiscard]] shared::CameraRecord cameraRecord(const Camera& camera);
-
-// Point lights in order, then emitting objects in order; pmf in proportion to the mean of the flux's three channels.
-[[nodiscard]] std::vector<shared::LightRecord> lightRecords(const Scene& scene);
 
 // Builds the hierarchies, uploads everything and shows the hot tables at their bindings; the result must outlive the
 // tables' use.

@@ -102,9 +102,40 @@ struct Material {
     std::optional<std::size_t> roughnessTexture = {}; // likewise: green times roughness, blue times metallic
 };
 
+// Lights, and objects that emit: photons and light samples are theirs in proportion to power times `photonShare` (> 0).
 struct PointLight {
     glm::dvec3 position{0};  // [m]
     glm::dvec3 intensity{1}; // [W/sr]
+    double photonShare = 1;
+};
+// Full intensity up to (1 - blend) angle from the axis, none from `angle` on; between them 3 t^2 - 2 t^3, where t goes
+// evenly in the cosine.
+struct SpotLight {
+    glm::dvec3 position{0};         // [m]
+    glm::dvec3 direction{0, -1, 0}; // unit, where the axis goes
+    glm::dvec3 intensity{1};        // on the axis [W/sr]
+    double angle = 30;              // from the axis [degrees], in (0, 180]
+    double blend = 0.1;             // [0, 1]
+    double photonShare = 1;
+};
+// Parallel light: all over the scene from beyond it or, with a beam, from a disc on and no wider than it.
+struct DirectionalLight {
+    struct Beam {
+        glm::dvec3 center{0}; // [m]
+        double radius = 1;    // [m], > 0
+    };
+    glm::dvec3 direction{0, -1, 0};          // unit, where the light goes
+    glm::dvec3 irradiance{1};                // of a surface that faces it [W/m^2]
+    std::optional<Beam> beam = std::nullopt; // none: light everywhere
+    double photonShare = 1;
+};
+// Light from beyond the scene. The middle of the image is seen along -z, its upper edge is +y; radiance is constant
+// over each pixel.
+struct Environment {
+    Image image;         // equirectangular [W/(m^2 sr)], finite and not negative; one pixel: the same everywhere
+    double scale = 1;    // of the image's values
+    double rotation = 0; // about +y, counter-clockwise [degrees]
+    double photonShare = 1;
 };
 
 // Axis-aligned box [m]; empty until a point is added, and its sides may be infinite.
@@ -179,8 +210,9 @@ using Shape = std::variant<Sphere, Quad, Disk, Plane, Quadric, Torus, MeshInstan
 struct Object {
     Shape shape;
     std::optional<std::size_t> material; // in Scene::materials; none: reflects nothing
-    glm::dvec3 emission{0};              // quads, disks, spheres: radiance of the front [W/(m^2 sr)]
+    glm::dvec3 emission{0};              // quads, disks, spheres, meshes: radiance of the front [W/(m^2 sr)]
     SourceLocation where;
+    double photonShare = 1; // where it emits
 };
 
 struct Mesh {
@@ -197,7 +229,10 @@ struct Scene {
     RenderSettings render;
     std::vector<Texture> textures;
     std::vector<Material> materials;
+    std::optional<Environment> environment;
     std::vector<PointLight> lights; // emitting objects are lights too
+    std::vector<SpotLight> spots;
+    std::vector<DirectionalLight> directionals;
     std::vector<Object> objects;
     std::vector<Object> csgLeaves; // closed shapes, none of them Csg or Quad or Disk; each with its own material
     std::vector<Mesh> meshes;

@@ -5,6 +5,7 @@
 // (split = 0, visible points and emission stand at the pixel) or both (split = 1, they stand at the path's number).
 #include "shared/kernel_arguments.h"
 #include "lib/dielectric.glsl"
+#include "lib/environment.glsl"
 #include "lib/medium.glsl"
 #include "lib/sampling.glsl"
 #include "lib/surface.glsl"
@@ -65,7 +66,11 @@ void main() {
     VisiblePoint visible = VisiblePoint(vec3(0.0), 0u, vec3(0.0), path.samplerSeed, vec3(0.0), path.pixel, 0u, 0u);
     vec3 emitted = vec3(0.0);
 
-    if (hit.object != kNone) {
+    if (hit.object == kNone) {
+        if (args.lights.at[0].type == kLightEnvironment) {
+            emitted = path.beta * environmentRadiance(args.lights.at[0], args.rays.at[id].direction);
+        }
+    } else {
         Ray ray = args.rays.at[id];
         Surface s = surfaceAt(ray, hit, args.normals, args.instances);
         path.beta *= transmittance(args.materials, path.medium, hit.t);

@@ -57,6 +57,12 @@ float angleInTurns(float y, float x) {
     return y < 0.0 ? -turns : turns;
 }
 
+// The same counter-clockwise, in [0, 1]; 0 for the zero vector.
+float turnsOf(float y, float x) {
+    float turns = angleInTurns(y, x);
+    return turns < 0.0 ? 1.0 + turns : turns;
+}
+
 float maxComponent(vec3 v) {
     return max(v.x, max(v.y, v.z));
 }

@@ -53,7 +53,7 @@ struct SampleLightsArguments {
     ColorArray contributions; // out: radiance [W/(m^2 sr)] if the light is seen
     uint count;
     uint lightCount;
-    uint light; // sample this one, or kNone: one picked in proportion to power
+    uint light; // sample this one, or kNone: one picked by the lights' pmf
     uint pass;
     uint maxDepth;
 };

@@ -34,22 +34,51 @@ struct MaterialRecord {
 };
 DEVICE_ARRAY(MaterialRecord, MaterialArray);
 
+// A triangle of an emitting mesh; none is without area.
+struct LightTriangle {
+    vec3 corner; // world [m]
+    vec3 edge0;  // from there to the second corner, counter-clockwise from the front [m]
+    vec3 edge1;  // to the third [m]
+    vec3 normal; // unit, of the front
+};
+DEVICE_ARRAY(LightTriangle, LightTriangleArray);
+DEVICE_ARRAY(vec3, RadianceArray); // [W/(m^2 sr)]
+DEVICE_ARRAY(float, CdfArray);     // sums of probabilities up to and including each element; 1 for the last
+
 SHARED_CONSTANT kLightPoint = 0u;
 SHARED_CONSTANT kLightQuad = 1u;
 SHARED_CONSTANT kLightDisk = 2u;
 SHARED_CONSTANT kLightSphere = 3u;
+SHARED_CONSTANT kLightMesh = 4u;
+SHARED_CONSTANT kLightSpot = 5u;
+SHARED_CONSTANT kLightBeam = 6u;        // parallel, from a disc
+SHARED_CONSTANT kLightDirectional = 7u; // parallel, from beyond the scene onto all of it
+SHARED_CONSTANT kLightEnvironment =
+    8u; // from beyond the scene and all directions; it is the first light if there is one
 
 struct LightRecord {
     uint type;
-    vec3 position; // point: place; quad: corner; disk, sphere: centre [m]
-    vec3 edge0;    // quad: edge; disk: axis; sphere: (radius, 0, 0) [m]
-    vec3 edge1;    // quad: edge; disk: axis [m]
-    vec3 normal;   // quad, disk: unit, the emitting side
-    float area;    // all but points [m^2]
-    vec3 emission; // point: intensity [W/sr]; the others: radiance [W/(m^2 sr)]
-    vec3 power;    // flux [W]
-    float pmf;     // probability that a photon or a shadow ray picks this light
-    float cdf;     // sum of the pmf up to and including this light; 1 for the last
+    vec3 position;  // point, spot: place; quad: corner; disk, sphere, beam: centre; directional, environment: middle of
+                    // the scene [m]
+    vec3 edge0;     // quad: edge; disk: axis [m]
+    vec3 edge1;     // quad: edge; disk: axis [m]
+    vec3 normal;    // unit. quad, disk: the emitting side; spot, beam, directional: where the light goes
+    float radius;   // sphere; beam, directional, environment: of the disc where photons start [m]
+    float distance; // directional, environment: of that disc's centre from `position`, against the light [m]
+    vec2 cone;      // spot: 1 - cos of the angles from the axis where its intensity begins to fall and where it ends
+    float error;    // mesh: what the coordinates of a point of it may be wrong by, on either way to compute it [m]
+    float area;     // of surfaces, and of discs where photons start [m^2]
+    vec3 emission;  // point, spot: intensity on the axis [W/sr]; beam, directional: irradiance [W/m^2]; surfaces:
+                    // radiance [W/(m^2 sr)]; environment: mean radiance of all directions [W/(m^2 sr)]
+    vec3 power;     // flux [W]
+    float pmf;      // probability that a photon or a shadow ray picks this light
+    float cdf;      // sum of the pmf up to and including this light; 1 for the last
+    uint columns;   // mesh: triangles; environment: texels of a row
+    uint rows;      // environment
+    float rotation; // environment: about +y, counter-clockwise [turns], in [0, 1)
+    CdfArray cdfs;  // mesh: its triangles by area; environment: its rows, then the texels of each row
+    LightTriangleArray triangles;
+    RadianceArray texels; // environment: row by row, the upper one first
 };
 DEVICE_ARRAY(LightRecord, LightArray);
 

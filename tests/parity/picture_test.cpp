@@ -83,6 +83,15 @@ TEST_CASE("whitted and ppm give the reference's picture of every shape and of CS
     comparePictures("whitted-shapes", scene, 0.99);
 }
 
+TEST_CASE("whitted and ppm give the reference's picture of every light") {
+    Scene scene = loadScene(std::filesystem::path(HYALITE_SOURCE_DIR) / "scenes/tests/all-lights.yaml");
+    // As above; and two in a thousand rays see the next texel of the sky or the next triangle of an emitting mesh
+    comparePictures("ppm-lights", scene, 0.97);
+    scene.render.integrator = Integrator::Whitted;
+    scene.render.minWeight = 0.01;
+    comparePictures("whitted-lights", scene, 0.99);
+}
+
 TEST_CASE("ppm gives the reference's picture of meshes, point lights and many spheres") {
     Scene scene = crowdedBox();
     scene.lights = {{{0, 0.2, 0.8}, {0.5, 0.4, 0.3}}};

@@ -29,7 +29,9 @@ std::map<std::string, HostLayout> hostLayouts() {
     std::map<std::string, HostLayout> layouts;
     HOST_LAYOUT(CameraRecord, position, forward, right, up, width, height, lensRadius, focusDistance);
     HOST_LAYOUT(MaterialRecord, type, color, extinction, ior, roughness, metallic, colorTexture, roughnessTexture);
-    HOST_LAYOUT(LightRecord, type, position, edge0, edge1, normal, area, emission, power, pmf, cdf);
+    HOST_LAYOUT(LightTriangle, corner, edge0, edge1, normal);
+    HOST_LAYOUT(LightRecord, type, position, edge0, edge1, normal, radius, distance, cone, error, area, emission, power,
+                pmf, cdf, columns, rows, rotation, cdfs, triangles, texels);
     HOST_LAYOUT(InstanceRecord, row0, row1, row2);
     HOST_LAYOUT(Ray, origin, tMax, direction, from);
     HOST_LAYOUT(Hit, t, object, primitive, uv);

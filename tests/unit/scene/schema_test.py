@@ -27,10 +27,14 @@ GOOD = {
     "render": {"integrator": "whitted", "max_depth": 0, "radius": 0},
     "materials": {"m": {"type": "diffuse", "albedo": 0.5}, "t": {"type": "mirror", "reflectance": {"texture": "c"}},
                   "g": {"type": "dielectric", "absorption": [0, 1, 2]}},
-    "lights": [{"type": "point", "position": [0, 1, 0], "intensity": [1, 1, 1]}],
+    "lights": [{"type": "point", "position": [0, 1, 0], "intensity": [1, 1, 1], "photon_share": 2},
+               {"type": "spot", "position": [0, 1, 0], "direction": [0, -1, 0], "angle": 180, "blend": 0},
+               {"type": "directional", "direction": [0, -1, 0], "radius": 0.5, "center": [0, 3, 0]},
+               {"type": "environment", "image": "sky.exr", "scale": 2, "rotation": 90}],
     "objects": [
         {"shape": {"type": "sphere", "radius": 1}, "material": "m", "transform": [{"scale": 2}]},
-        {"shape": {"type": "quad", "corner": [0, 0, 0], "edges": [[1, 0, 0], [0, 1, 0]]}, "emission": 1},
+        {"shape": {"type": "quad", "corner": [0, 0, 0], "edges": [[1, 0, 0], [0, 1, 0]]}, "emission": 1,
+         "photon_share": 0.5},
         {"shape": {"type": "cone", "base": [0, 0, 0], "top": [0, 1, 0], "radius": 1, "open": True}, "material": "m"},
         {"shape": {"type": "quadric", "coefficients": [1, 0, 0, 0, 1, 0, 0, 1, 0, -1],
                    "clip": {"min": [None, 0, None]}, "caps": False}, "material": "m"},
@@ -60,7 +64,12 @@ MISTAKES = [
     (["render", "photons"], 16777217), (["render", "radius"], -1), (["render", "alpha"], 1),
     (["render", "integrator"], "ppm"),  # with max_depth 0
     (["materials", "m", "albedo"], 1.1), (["materials", "m", "type"], "velvet"), (["materials", "m", "ior"], 1.5),
-    (["lights", 0, "intensity"], [1, -1, 1]), (["lights", 0, "position"], None), (["lights", 0, "type"], "spot"),
+    (["lights", 0, "intensity"], [1, -1, 1]), (["lights", 0, "position"], None), (["lights", 0, "type"], "lamp"),
+    (["lights", 0, "photon_share"], 0), (["lights", 1, "direction"], None), (["lights", 1, "angle"], 181),
+    (["lights", 1, "blend"], 1.5), (["lights", 2, "radius"], None),  # with a center
+    (["lights", 2, "radius"], 0), (["lights", 3, "radiance"], 1),  # beside an image
+    (["lights", 3, "image"], ""), (["lights", 3, "scale"], -1), (["objects", 1, "photon_share"], 1001),
+   
     (["objects", 0, "material"], None), (["objects", 0, "emission"], -1), (["objects", 0, "shape", "radius"], 0),
     (["objects", 0, "shape", "radius"], None), (["objects", 0, "shape", "type"], "cube"),
     (["objects", 0, "transform"], {"scale": 2}), (["objects", 0, "transform", 0, "translate"], [0, 0, 0]),
