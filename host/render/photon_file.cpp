@@ -42,7 +42,17 @@ std::uint64_t fnvOf(const gpu::Array<T>& array, std::uint64_t state) {
 std::uint64_t photonFingerprint(const Scene& scene, const DeviceScene& deviceScene) {
     std::uint64_t state = kFnvStart;
     state = fnvOf(deviceScene.materials, state);
-    state = fnvOf(deviceScene.lights, state);
+    for (shared::LightRecord light : deviceScene.lights.host()) {
+        light.triangles = {}; // where parts of lights stand differs from run to run; the parts themselves follow
+        light.texels = {};
+        light.cdfs = {};
+        state = fnv(bytesOf(light), state);
+    }
+    state = fnvOf(deviceScene.lightTriangles, state);
+    state = fnvOf(deviceScene.lightTexels, state);
+    state = fnvOf(deviceScene.lightCdfs, state);
+    state = fnvOf(deviceScene.textures, state);
+    state = fnvOf(deviceScene.textureCoordinates, state);
     state = fnvOf(deviceScene.instances, state);
     state = fnvOf(deviceScene.normals, state);
     state = fnvOf(deviceScene.nodes, state);
@@ -50,9 +60,9 @@ std::uint64_t photonFingerprint(const Scene& scene, const DeviceScene& deviceSce
     state = fnvOf(deviceScene.triangles, state);
     const RenderSettings& render = scene.render;
     const PhotonMapSettings& maps = render.photonMap;
-    const std::array<std::uint32_t, 6> settings{render.photons,       render.seed,
-                                                render.maxDepth,      maps.causticPhotons,
-                                                maps.projectionMap,   maps.shadowPhotons > 0 ? 1U : 0U};
+    const std::array<std::uint32_t, 6> settings{render.photons,     render.seed,
+                                                render.maxDepth,    maps.causticPhotons,
+                                                maps.projectionMap, maps.shadowPhotons > 0 ? 1U : 0U};
     return fnv(std::as_bytes(std::span(settings)), state);
 }
 
@@ -70,9 +80,8 @@ void writePhotons(const std::filesystem::path& path, const PhotonLists& lists, s
 }
 
 PhotonLists readPhotons(const std::filesystem::path& path, std::uint64_t fingerprint) {
-    const std::string file =
-        readInputFile(path, std::numeric_limits<std::uint32_t>::max() * sizeof(shared::Photon), "photon map",
-                      SourceLocation{path.string(), 0, 0});
+    const std::string file = readInputFile(path, std::numeric_limits<std::uint32_t>::max() * sizeof(shared::Photon),
+                                           "photon map", SourceLocation{path.string(), 0, 0});
     Header header;
     if (file.size() < sizeof header + sizeof(std::uint64_t)) {
         fail(path, "this is no file of photon maps", "write one with --save-photons");
