@@ -28,6 +28,20 @@ vec2 sinCosTurns(float turns) {
     return (q & 2u) != 0u ? -sc : sc;
 }
 
+// e^x for x <= 0, to 2 ulp; 0 where that is below the least normal number. x = n ln 2 + r with |r| <= ln 2 / 2, where
+// Taylor's series to r^7 errs by less than 6e-9; ln 2 is taken off in two parts, the first of few bits, so that n times
+// it is exact.
+float exponential(float x) {
+    if (x < -87.0) {
+        return 0.0;
+    }
+    float n = floor(x * 1.44269504088896 + 0.5);
+    float r = (x - n * 0.693359375) + n * 2.12194440054691e-4;
+    float tail = 1.0 / 6.0 + r * (1.0 / 24.0 + r * (1.0 / 120.0 + r * (1.0 / 720.0 + r * (1.0 / 5040.0))));
+    float series = 1.0 + r * (1.0 + r * (0.5 + r * tail));
+    return series * uintBitsToFloat(uint(int(n) + 127) << 23u);
+}
+
 float maxComponent(vec3 v) {
     return max(v.x, max(v.y, v.z));
 }
