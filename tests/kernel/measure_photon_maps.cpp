@@ -39,7 +39,7 @@ std::vector<shared::Photon> photonsInBox(std::uint32_t count) {
 // Row by row over the walls, as a camera sees them.
 std::vector<shared::VisiblePoint> pointsOnWalls() {
     std::vector<shared::VisiblePoint> points;
-    const int rows = 150;
+    const int rows = 50;
     for (int wall = 0; wall < 6; ++wall) {
         for (int i = 0; i < rows * rows; ++i) {
             const float u = 2 * (static_cast<float>(i % rows) + 0.5F) / rows - 1;
