@@ -1,5 +1,5 @@
 // Shadow photons: which lights a place sees, told by the photons that reached it and by those that something stopped
-// on the way [Jensen95].
+// on the way [JensenChristensen95].
 #pragma once
 
 #include "reference/lights.h"

@@ -20,8 +20,8 @@ public:
     void build(Device& device, const gpu::Array<shared::Photon>& photons, std::uint32_t slots,
                const gpu::Array<shared::Photon>& table, std::uint32_t base);
 
-    // For kernels specialised to kPhotonTree.
-    [[nodiscard]] shared::PhotonMapRecord record() const { return {order_, {}, {}, base_, photonCount_}; }
+    // For kernels that search photon maps, specialised to kPhotonTree.
+    [[nodiscard]] shared::PhotonMapRecord map() const { return {order_, {}, {}, base_, photonCount_}; }
     [[nodiscard]] const gpu::Array<shared::uint>& order() const { return order_; } // slot of each node's photon
     [[nodiscard]] std::uint32_t photonCount() const { return photonCount_; }
 

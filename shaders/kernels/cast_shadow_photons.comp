@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Follows photons straight from the light through everything in their way. On diffuse surfaces they leave a direct photon
-// first and shadow photons after that, without power: what the light reaches, and what it does not [Jensen95].
+// first and shadow photons after that, without power: what the light reaches, and what it does not [JensenChristensen95].
 #include "shared/kernel_arguments.h"
 #include "lib/photon.glsl"
 #include "lib/surface.glsl"

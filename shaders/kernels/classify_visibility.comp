@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Tells by the photons about a visible point which lights it sees: those whose photons nearby are all direct, and are
-// enough, are seen; those of which there are but shadow photons are hidden; of the rest a shadow ray decides [Jensen95].
+// enough, are seen; those of which there are but shadow photons are hidden; of the rest a shadow ray decides [JensenChristensen95].
 #include "shared/kernel_arguments.h"
 #include "lib/nearest.glsl"
 #include "lib/thread.glsl"

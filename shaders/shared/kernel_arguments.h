@@ -297,6 +297,41 @@ struct GatherRadianceArguments {
     uint maxDepth;
 };
 
+// Asks at every visible point; a depth of 0 there is no question.
+struct NearestPhotonsArguments {
+    VisiblePointArray visiblePoints;
+    PhotonMapRecord map;
+    UintArray found;   // out, `nearest` for each point: slots of the photons, the nearest first; behind them kNone
+    UintArray closest; // out: slot of the closest on the same surface among the tree's first `among` nodes, or kNone
+    float radius;      // [m]; of a grid, at most the radius that it was built for
+    uint nearest;      // photons to find, at most kNearestCapacity
+    uint kinds;        // bit kPhoton… is set for every kind that counts
+    uint among;
+    uint count;
+    uint maxDepth;
+};
+
+// How photons are weighted by their distance from the visible point.
+SHARED_CONSTANT kFilterNone = 0u;
+SHARED_CONSTANT kFilterCone = 1u;
+SHARED_CONSTANT kFilterGaussian = 2u;
+
+struct EstimateRadianceArguments {
+    VisiblePointArray visiblePoints;
+    PhotonMapRecord map;
+    ColorArray gathered;  // out: radiance [W/(m^2 sr)]
+    FloatArray radii;     // out: radius of the disc that it comes from [m]; 0 where no light is gathered
+    float radius;         // of the largest disc [m]; of a grid, at most the radius that it was built for
+    float filterConstant; // cone: k >= 1, the cone's radius over the disc's
+    float
+        maxChange; // relative change of the estimate, over discs that grow, at which they stop to; 0: they do not stop
+    uint nearest;  // photons to find, 2 … kNearestCapacity
+    uint kinds;    // bit kPhoton… is set for every kind that counts
+    uint filterKind; // kFilter…
+    uint count;
+    uint maxDepth;
+};
+
 // Starts final gathering: one ray from each visible point into its hemisphere.
 struct StartGatherRaysArguments {
     VisiblePointArray visiblePoints;

@@ -72,6 +72,12 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(PlacePhotonsArguments, photons, nodes, slots, sorted, order, count);
     HOST_LAYOUT(GatherRadianceArguments, visiblePoints, cellStarts, gathered, grid.inverseCellSize, grid.bucketMask,
                 radius, count, maxDepth);
+    HOST_LAYOUT(NearestPhotonsArguments, visiblePoints, map.order, map.cellStarts, map.grid.inverseCellSize,
+                map.grid.bucketMask, map.base, map.count, found, closest, radius, nearest, kinds, among, count,
+                maxDepth);
+    HOST_LAYOUT(EstimateRadianceArguments, visiblePoints, map.order, map.cellStarts, map.grid.inverseCellSize,
+                map.grid.bucketMask, map.base, map.count, gathered, radii, radius, filterConstant, maxChange, nearest,
+                kinds, filterKind, count, maxDepth);
     HOST_LAYOUT(SumPathsArguments, paths, emitted, direct, radiance, count);
     HOST_LAYOUT(AccumulateFilmArguments, colors, film, count, scale);
     HOST_LAYOUT(ResolveFilmArguments, film, image, count, scale);
