@@ -11,6 +11,7 @@ class Determinism(CliTest):
         ("cornell-caustics.yaml", "whitted"),
         ("tests/mesh-room.yaml", "ppm"),
         ("tests/all-shapes.yaml", "ppm"),
+        ("globe.yaml", "ppm"),
     )
     # What lavapipe reads. Where the CPU does not have a width, lavapipe takes a smaller one by itself.
     ENVIRONMENTS = (
