@@ -13,6 +13,7 @@ class Determinism(CliTest):
         ("tests/all-shapes.yaml", "ppm"),
         ("tests/all-lights.yaml", "ppm"),
         ("tests/all-lights.yaml", "whitted"),
+        ("globe.yaml", "ppm"),
     )
     # What lavapipe reads. Where the CPU does not have a width, lavapipe takes a smaller one by itself.
     ENVIRONMENTS = (
