@@ -177,8 +177,8 @@ float emissionDensity(LightRecord light, vec3 normal, vec3 direction) {
     }
 }
 
-// Density [1/m^2], across `direction`, with which emitFrom would start a ray of this direction on the line through
-// `point`; 0 for lights that choose the origin first.
+// Density [1/m^2], across `direction`, with which emitFrom starts its rays of this direction on the line through
+// `point`; 0 for lights that choose the origin first. Of parallel light the direction must be its own.
 float originDensity(LightRecord light, vec3 point, vec3 direction) {
     bool hasDisc = light.type == kLightBeam || isEndless(light.type);
     return hasDisc && passesDisc(light, point, direction) ? 1.0 / light.area : 0.0;
