@@ -102,7 +102,7 @@ std::string name(Integrator integrator) {
     return integrator == Integrator::Whitted ? "whitted" : "ppm";
 }
 
-Image renderOnDevice(const RenderCommand& command, const Scene& scene, ProgressBar& bar, RenderReport& report) {
+LayeredImage renderOnDevice(const RenderCommand& command, const Scene& scene, ProgressBar& bar, RenderReport& report) {
     gpu::ContextOptions options;
     options.device = command.device;
     options.validation = command.validation;
@@ -128,7 +128,8 @@ Image renderOnDevice(const RenderCommand& command, const Scene& scene, ProgressB
     return std::move(result.image);
 }
 
-Image renderByReference(const RenderCommand& command, const Scene& scene, ProgressBar& bar, RenderReport& report) {
+LayeredImage renderByReference(const RenderCommand& command, const Scene& scene, ProgressBar& bar,
+                               RenderReport& report) {
     const Stopwatch watch;
     report.device = "CPU, double precision";
     reference::RenderOptions options;
@@ -164,14 +165,14 @@ void renderScene(RenderCommand command) {
     report.seed = scene.render.seed;
     report.resolution = scene.camera.resolution;
     report.outputs = command.outputs;
-    Image image;
+    LayeredImage image;
     {
         ProgressBar bar(!command.quiet && !command.json);
         image =
             byReference ? renderByReference(command, scene, bar, report) : renderOnDevice(command, scene, bar, report);
     }
     for (const std::string& output : command.outputs) {
-        writeImage(output, image,
+        writeImage(output, image.picture,
                    {{"software", "hyalite " HYALITE_VERSION},
                     {"scene", std::filesystem::path(command.scene).filename().string()},
                     {"integrator", report.integrator},

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "reference/world.h"
-#include "shaders/shared/path_records.h"
 
 #include <cstdint>
 #include <optional>
@@ -11,12 +10,12 @@
 
 namespace hyalite::reference {
 
-// What a photon that lands on a diffuse surface is called, by the way it came; numbered as in the shared headers.
+// What a photon that lands on a diffuse surface is called, by the way it came.
 enum class PhotonKind : std::uint8_t {
-    Direct = shared::kPhotonDirect,     // straight from the light
-    Indirect = shared::kPhotonIndirect, // by way of a diffuse surface
-    Caustic = shared::kPhotonCaustic,   // by way of mirrors and glass alone
-    Shadow = shared::kPhotonShadow      // something stands between the light and this place; no power
+    Direct,   // straight from the light
+    Indirect, // by way of a diffuse surface
+    Caustic,  // by way of mirrors and glass alone
+    Shadow    // something stands between the light and this place; no power
 };
 
 struct PhotonPath {

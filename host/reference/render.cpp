@@ -8,13 +8,19 @@
 
 namespace hyalite::reference {
 
-Image render(const Scene& scene, const RenderOptions& options) {
+LayeredImage render(const Scene& scene, const RenderOptions& options) {
     const World world = prepareWorld(scene);
     if (std::none_of(world.lights.begin(), world.lights.end(), [](const Light& light) { return light.pmf > 0; })) {
         throw Error(ExitCode::BadInput, SourceLocation{.file = scene.file}, "the scene emits no light",
                     "add a light, or an emission to a quad");
     }
-    return scene.render.integrator == Integrator::Whitted ? renderWhitted(world, options) : renderPpm(world, options);
+    switch (scene.render.integrator) {
+    case Integrator::Whitted:
+        return {.picture = renderWhitted(world, options), .layers = {}};
+    case Integrator::Ppm:
+        return {.picture = renderPpm(world, options), .layers = {}};
+    }
+    throw Error(ExitCode::WrongUsage, "unknown integrator");
 }
 
 } // namespace hyalite::reference

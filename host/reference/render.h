@@ -2,7 +2,7 @@
 // random integers with the kernels; the same seed asks both for the same picture.
 #pragma once
 
-#include "image/image.h"
+#include "image/layered_image.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -17,6 +17,6 @@ struct RenderOptions {
 
 // The mean of the passes rendered, by the integrator and settings of scene.render. The same bits for any number of
 // threads. Throws Error(BadInput) where the scene cannot be rendered or emits no light.
-[[nodiscard]] Image render(const Scene& scene, const RenderOptions& options = {});
+[[nodiscard]] LayeredImage render(const Scene& scene, const RenderOptions& options = {});
 
 } // namespace hyalite::reference

@@ -1,7 +1,7 @@
-// The sum of the passes, and the picture as their mean.
+// The sums over passes that become the picture: one per layer.
 #pragma once
 
-#include "image/image.h"
+#include "image/layered_image.h"
 #include "render/device.h"
 
 #include "shaders/shared/kernel_arguments.h"
@@ -10,18 +10,23 @@ namespace hyalite::render {
 
 class Film {
 public:
-    Film(Device& device, glm::uvec2 resolution);
+    Film(Device& device, glm::uvec2 resolution, std::vector<LayerKind> layers);
 
-    [[nodiscard]] const gpu::Array<glm::vec3>& sums() const { return sums_; }
     [[nodiscard]] std::uint32_t pixelCount() const { return resolution_.x * resolution_.y; }
+    [[nodiscard]] const gpu::Array<glm::vec3>& sums(std::size_t layer) const { return sums_.at(layer); }
 
-    // The mean over `passes` >= 1 passes.
-    [[nodiscard]] Image resolve(Device& device, std::uint32_t passes) const;
+    // Adds one colour per pixel to a layer.
+    void add(Device& device, std::size_t layer, const gpu::Array<glm::vec3>& colors) const;
+
+    // The means over `passes` >= 1 passes.
+    [[nodiscard]] LayeredImage resolve(Device& device, std::uint32_t passes) const;
 
 private:
     glm::uvec2 resolution_;
+    std::vector<LayerKind> layers_;
+    gpu::Kernel accumulateFilm_;
     gpu::Kernel resolveFilm_;
-    gpu::Array<glm::vec3> sums_;
+    std::vector<gpu::Array<glm::vec3>> sums_;
     gpu::Array<glm::vec3> image_;
 };
 

@@ -1,11 +1,12 @@
 // Progressive photon mapping with independent passes [Knaus11].
 #pragma once
 
-#include "render/device_scene.h"
+#include "render/camera_paths.h"
 #include "render/film.h"
 #include "render/integrator.h"
-#include "render/path_queue.h"
+#include "render/light_sampler.h"
 #include "render/photon_grid.h"
+#include "render/photon_paths.h"
 
 namespace hyalite::render {
 
@@ -15,44 +16,30 @@ namespace hyalite::render {
 
 class Ppm final : public PassIntegrator {
 public:
+    // The layers of its film.
+    [[nodiscard]] static std::vector<LayerKind> layers() { return {{"emitted"}, {"direct"}, {"photons"}}; }
+
     // References are kept.
     Ppm(Device& device, const Scene& scene, const DeviceScene& deviceScene, const Film& film);
 
     void renderPass(std::uint32_t pass) override;
 
 private:
-    void traceCameraPaths(std::uint32_t pass);
     void sampleDirectLight(std::uint32_t pass);
-    std::uint32_t tracePhotons(std::uint32_t pass);
     void gatherPhotons(std::uint32_t pass, std::uint32_t slots);
-    void reservePhotons(std::uint32_t slots);
 
     Device& device_;
     const Scene& scene_;
-    const DeviceScene& deviceScene_;
     const Film& film_;
     double initialRadius_;
 
-    gpu::Kernel generateCameraRays_;
-    gpu::Kernel traceClosest_;
-    gpu::Kernel shadeSurface_;
-    gpu::Kernel compactCameraPaths_;
-    gpu::Kernel sampleLights_;
-    gpu::Kernel traceShadow_;
-    gpu::Kernel emitPhotons_;
-    gpu::Kernel scatterPhoton_;
-    gpu::Kernel compactPhotonPaths_;
-    gpu::Kernel gatherRadiance_;
-    gpu::Kernel accumulateFilm_;
-    PrefixSum prefixSum_;
+    CameraPaths cameraPaths_;
+    LightSampler lightSampler_;
+    PhotonPaths photonPaths_;
     PhotonGrid grid_;
+    gpu::Kernel gatherRadiance_;
 
-    CameraQueue camera_;
-    PhotonQueue photonQueue_;
-    gpu::Array<shared::Photon> photons_; // as they land, bounce after bounce, with gaps
     gpu::Array<shared::VisiblePoint> visiblePoints_;
-    gpu::Array<shared::Ray> shadowRays_;
-    gpu::Array<glm::vec3> contributions_;
     gpu::Array<glm::vec3> emitted_;
     gpu::Array<glm::vec3> direct_;
     gpu::Array<glm::vec3> gathered_;

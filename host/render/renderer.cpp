@@ -8,6 +8,16 @@ namespace hyalite::render {
 
 namespace {
 
+std::vector<LayerKind> layersOf(Integrator integrator) {
+    switch (integrator) {
+    case Integrator::Whitted:
+        return Whitted::layers();
+    case Integrator::Ppm:
+        return Ppm::layers();
+    }
+    throw Error(ExitCode::WrongUsage, "unknown integrator");
+}
+
 std::unique_ptr<PassIntegrator> makeIntegrator(Device& device, const Scene& scene, const DeviceScene& deviceScene,
                                                const Film& film) {
     switch (scene.render.integrator) {
@@ -30,7 +40,7 @@ RenderResult render(const gpu::Context& context, const gpu::ShaderCompiler& comp
     const Stopwatch setup;
     Device device(context, compiler, options.profile);
     const DeviceScene deviceScene = uploadScene(context, device.tables, scene);
-    const Film film(device, scene.camera.resolution);
+    const Film film(device, scene.camera.resolution, layersOf(scene.render.integrator));
     const auto integrator = makeIntegrator(device, scene, deviceScene, film);
 
     RenderResult result;

@@ -3,7 +3,7 @@
 
 #include "gpu/commands.h"
 #include "gpu/shader_compiler.h"
-#include "image/image.h"
+#include "image/layered_image.h"
 #include "render/integrator.h"
 #include "scene/scene.h"
 
@@ -24,7 +24,7 @@ struct RenderOptions {
 };
 
 struct RenderResult {
-    Image image;
+    LayeredImage image;
     std::uint32_t passes = 0;
     double setupSeconds = 0;  // kernels, scene, hierarchies
     double renderSeconds = 0; // passes

@@ -40,7 +40,7 @@ void Whitted::renderPass(std::uint32_t pass) {
         sampleEveryLight(pass);
         // Both belong to the pixel; the paths of a pixel stand together, so that their sum has one order
         device_.commands.run(sumPaths_,
-                             shared::SumPathsArguments{level_.queue.paths, level_.emitted, level_.direct, film_.sums(),
+                             shared::SumPathsArguments{level_.queue.paths, level_.emitted, level_.direct, film_.sums(0),
                                                        level_.queue.count},
                              level_.queue.count);
         descend();

@@ -10,6 +10,9 @@ namespace hyalite::render {
 
 class Whitted final : public PassIntegrator {
 public:
+    // The layers of its film.
+    [[nodiscard]] static std::vector<LayerKind> layers() { return {{"radiance"}}; }
+
     // References are kept.
     Whitted(Device& device, const Scene& scene, const DeviceScene& deviceScene, const Film& film);
 

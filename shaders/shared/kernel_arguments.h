@@ -180,9 +180,7 @@ struct SumPathsArguments {
 };
 
 struct AccumulateFilmArguments {
-    ColorArray emitted;
-    ColorArray direct;
-    ColorArray gathered;
+    ColorArray colors;
     ColorArray film; // in and out: sums over passes
     uint count;      // pixels
 };

@@ -136,8 +136,9 @@ TEST_CASE("gathering meets every photon of the disc once, also where cells share
             const reference::PhotonMap map(stored);
             std::size_t edge = 0; // a photon on the rim of the disc, in on one side and out on the other
             for (std::uint32_t i = 0; i < count; ++i) {
+                const dvec3 normal = glm::normalize(dvec3(-1, -1, 65533)); // 0x7fff stands for -1/65535
                 const reference::VisiblePoint x{
-                    points[i].position, points[i].position, {0, 0, 1}, {0, 0, 1}, dvec3(1), 1, 0};
+                    points[i].position, points[i].position, {0, 0, 1}, normal, dvec3(1), 1, 0};
                 const double expected = reference::gatherRadiance(map, x, radius, 12).x;
                 const double actual = gathered.host()[i].x;
                 edge += std::abs(actual - expected) > 1e-4 * expected ? 1 : 0;

@@ -10,6 +10,12 @@ namespace hyalite::testing {
 
 namespace {
 
+using reference::PhotonKind;
+static_assert(shared::kPhotonDirect == static_cast<std::uint32_t>(PhotonKind::Direct));
+static_assert(shared::kPhotonIndirect == static_cast<std::uint32_t>(PhotonKind::Indirect));
+static_assert(shared::kPhotonCaustic == static_cast<std::uint32_t>(PhotonKind::Caustic));
+static_assert(shared::kPhotonShadow == static_cast<std::uint32_t>(PhotonKind::Shadow));
+
 // Half a step of 2/2047 in x and y is up to one in z, 1.2e-3 in all, on a vector of length 1/sqrt(3) at least: the
 // octahedral encoding of 11 bits is right to 2.08e-3.
 constexpr double kNormalError = 2.08e-3;

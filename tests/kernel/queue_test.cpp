@@ -98,18 +98,26 @@ TEST_CASE("the paths of a pixel are summed whole, and other pixels are left alon
     }
 }
 
-TEST_CASE("the film starts black, adds passes, and resolves to their mean") {
+TEST_CASE("the film starts black, adds passes, and resolves to their means, whose sum is the picture") {
     BothSides both(reference::test::cornellBox());
-    const render::Film film(both.device, {5, 3});
+    const render::Film film(both.device, {5, 3}, {{"emitted"}, {"direct"}, {"radius", /*isLight*/ false}, {"photons"}});
     const auto emitted = both.upload(std::vector<vec3>(15, vec3(1, 0, 0)));
     const auto direct = both.upload(std::vector<vec3>(15, vec3(0, 2, 0)));
     auto values = std::vector<vec3>(15, vec3(0, 0, 4));
     values[7] = vec3(8);
     const auto gathered = both.upload(values);
     for (int pass = 0; pass < 4; ++pass) {
-        both.run("accumulate_film", shared::AccumulateFilmArguments{emitted, direct, gathered, film.sums(), 15}, 15);
+        film.add(both.device, 0, emitted);
+        film.add(both.device, 1, direct);
+        film.add(both.device, 2, gathered);
+        film.add(both.device, 3, gathered);
     }
-    const Image image = film.resolve(both.device, 4);
+    const LayeredImage result = film.resolve(both.device, 4);
+    REQUIRE(result.layers.size() == 4);
+    CHECK(result.layers[1].name == "direct");
+    CHECK(result.layers[1].image.at(2, 1) == vec3(0, 2, 0));
+    CHECK(result.layers[2].image.at(2, 1) == vec3(8));
+    const Image& image = result.picture; // without the radius
     CHECK(image.width == 5);
     CHECK(image.height == 3);
     CHECK(image.at(2, 1) == vec3(9, 10, 8)); // pixel 7

@@ -13,13 +13,13 @@ namespace hyalite::testing {
 namespace {
 
 Image onDevice(const Scene& scene) {
-    return render::render(Gpu::shared().context(), Gpu::shared().compiler(), scene, {}).image;
+    return render::render(Gpu::shared().context(), Gpu::shared().compiler(), scene, {}).image.picture;
 }
 
 // Where the pictures differ more than asked, all three are left in the working folder.
 void comparePictures(const std::string& name, const Scene& scene, double share) {
     const Image device = onDevice(scene);
-    const Image expected = reference::render(scene);
+    const Image expected = reference::render(scene).picture;
     const Crop all = wholeOf(expected);
     REQUIRE(countNotFinite(device) == 0);
     const double within = shareWithin(device, expected, 0.01, all);

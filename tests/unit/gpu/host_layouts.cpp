@@ -63,7 +63,7 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(GatherRadianceArguments, visiblePoints, cellStarts, gathered, grid.inverseCellSize, grid.bucketMask,
                 radius, count, maxDepth);
     HOST_LAYOUT(SumPathsArguments, paths, emitted, direct, radiance, count);
-    HOST_LAYOUT(AccumulateFilmArguments, emitted, direct, gathered, film, count);
+    HOST_LAYOUT(AccumulateFilmArguments, colors, film, count);
     HOST_LAYOUT(ResolveFilmArguments, film, image, count, scale);
     HOST_LAYOUT(SelfTestRecord, first, second, third, fourth);
     HOST_LAYOUT(SelfTestAnswer, rounds, texel, record.first, record.second, record.third, record.fourth);

@@ -1,0 +1,48 @@
+#include "render/camera_paths.h"
+
+namespace hyalite::render {
+
+CameraPaths::CameraPaths(Device& device, const Scene& scene, const DeviceScene& deviceScene, std::uint32_t capacity)
+    : device_(device), scene_(scene), deviceScene_(deviceScene),
+      generateCameraRays_(device.kernel("generate_camera_rays")),
+      traceClosest_(device.kernel("trace_closest", deviceScene.specialization)),
+      shadeSurface_(device.kernel("shade_surface", deviceScene.specialization)),
+      compactCameraPaths_(device.kernel("compact_camera_paths")), prefixSum_(device),
+      queue_(device.context, capacity, 1) {}
+
+void CameraPaths::generate(std::uint32_t pass) {
+    queue_.count = queue_.capacity();
+    device_.commands.run(generateCameraRays_,
+                         shared::GenerateCameraRaysArguments{queue_.rays, queue_.paths, deviceScene_.camera,
+                                                             queue_.count, scene_.render.seed, pass},
+                         queue_.count);
+}
+
+std::uint64_t CameraPaths::follow(std::uint32_t pass, const gpu::Array<shared::VisiblePoint>& visiblePoints,
+                                  const gpu::Array<glm::vec3>& emitted) {
+    gpu::Commands& commands = device_.commands;
+    CameraQueue& queue = queue_;
+    std::uint64_t rays = 0;
+    for (std::uint32_t depth = 1; queue.count > 0; ++depth) {
+        commands.run(traceClosest_,
+                     shared::TraceClosestArguments{queue.rays, queue.hits, queue.count, deviceScene_.rootNode},
+                     queue.count);
+        commands.run(shadeSurface_,
+                     shared::ShadeSurfaceArguments{queue.rays, queue.hits, queue.paths, deviceScene_.materials,
+                                                   deviceScene_.lights, deviceScene_.normals, deviceScene_.instances,
+                                                   visiblePoints, emitted, queue.nextRays, queue.nextPaths, queue.alive,
+                                                   queue.count, depth, scene_.render.maxDepth, pass,
+                                                   /*split*/ 0, /*minWeight*/ 0},
+                     queue.count);
+        rays += queue.count;
+        const std::uint32_t alive = countAlive(device_, prefixSum_, queue, queue.count);
+        commands.run(compactCameraPaths_,
+                     shared::CompactCameraPathsArguments{queue.alive, queue.offsets, queue.nextRays, queue.nextPaths,
+                                                         queue.rays, queue.paths, queue.count},
+                     alive > 0 ? queue.count : 0);
+        queue.count = alive;
+    }
+    return rays;
+}
+
+} // namespace hyalite::render

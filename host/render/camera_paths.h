@@ -1,0 +1,37 @@
+// Camera paths, followed through mirrors and glass to the first diffuse surface of each pixel.
+#pragma once
+
+#include "render/device_scene.h"
+#include "render/path_queue.h"
+
+namespace hyalite::render {
+
+class CameraPaths {
+public:
+    // References are kept. `capacity`: paths in flight, one per pixel.
+    CameraPaths(Device& device, const Scene& scene, const DeviceScene& deviceScene, std::uint32_t capacity);
+
+    // Where paths start: one ray and one path per pixel, or any that a kernel writes here, the count included.
+    [[nodiscard]] CameraQueue& queue() { return queue_; }
+
+    // Fills the queue with the rays of a pass through the lens.
+    void generate(std::uint32_t pass);
+
+    // Follows what the queue holds. Per pixel: where its path ends on a diffuse surface, and the emission on the way
+    // [W/(m^2 sr)]; pixels without a path in the queue are left as they are. Returns the number of rays traced.
+    std::uint64_t follow(std::uint32_t pass, const gpu::Array<shared::VisiblePoint>& visiblePoints,
+                         const gpu::Array<glm::vec3>& emitted);
+
+private:
+    Device& device_;
+    const Scene& scene_;
+    const DeviceScene& deviceScene_;
+    gpu::Kernel generateCameraRays_;
+    gpu::Kernel traceClosest_;
+    gpu::Kernel shadeSurface_;
+    gpu::Kernel compactCameraPaths_;
+    PrefixSum prefixSum_;
+    CameraQueue queue_;
+};
+
+} // namespace hyalite::render

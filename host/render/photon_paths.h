@@ -1,0 +1,45 @@
+// Photon paths: emitted, followed from bounce to bounce, and stored where they land.
+#pragma once
+
+#include "render/device_scene.h"
+#include "render/path_queue.h"
+
+namespace hyalite::render {
+
+// The photons of one purpose and one pass.
+struct PhotonPass {
+    std::uint32_t sequence = 0; // see shared::photonSequence
+    std::uint32_t count = 0;    // emitted, at most the capacity
+    std::uint32_t kinds = 0;    // bit kPhoton… is set for every kind that is stored; paths that can store no more end
+    bool account = false;       // keep account of what becomes of each photon's flux
+};
+
+class PhotonPaths {
+public:
+    // References are kept. `capacity`: photons emitted at most.
+    PhotonPaths(Device& device, const Scene& scene, const DeviceScene& deviceScene, std::uint32_t capacity);
+
+    // Traces a pass. Its photons stand in the first `slots` (the result) of photons(), in a fixed order and with gaps
+    // where surface = kNone.
+    std::uint32_t trace(const PhotonPass& pass);
+
+    [[nodiscard]] const gpu::Array<shared::Photon>& photons() const { return photons_; }
+    [[nodiscard]] std::uint64_t raysTraced() const { return raysTraced_; }
+
+private:
+    void reserve(std::uint32_t slots);
+
+    Device& device_;
+    const Scene& scene_;
+    const DeviceScene& deviceScene_;
+    gpu::Kernel emitPhotons_;
+    gpu::Kernel traceClosest_;
+    gpu::Kernel scatterPhoton_;
+    gpu::Kernel compactPhotonPaths_;
+    PrefixSum prefixSum_;
+    PhotonQueue queue_;
+    gpu::Array<shared::Photon> photons_;
+    std::uint64_t raysTraced_ = 0;
+};
+
+} // namespace hyalite::render
