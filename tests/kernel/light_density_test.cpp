@@ -34,11 +34,15 @@ void main() {
     LightRecord light = args.lights.at[i % args.lightCount];
     LightRay ray = emitFrom(light, sampleUnit(s, 0u), sampleUnit(s, 1u));
     vec3 other = uniformSphere(sampleUnit(s, 2u));
+    vec3 receiver = ray.origin + ray.direction;
+    // The numbers that chose the ray choose the way back
+    vec2 again = sampleUnit(s, light.type == kLightEnvironment ? 1u : 0u);
     args.densities.at[3u * i] =
         vec3(ray.pdfDirection, ray.pdfOrigin,
-             lightPdf(light, ray.origin + ray.direction, -ray.direction, 1.0, ray.normal));
+             lightPdf(light, receiver, -ray.direction, 1.0, ray.normal));
     args.densities.at[3u * i + 1u] =
-        vec3(emissionDensity(light, ray.normal, other), originDensity(light, ray.origin + other, ray.direction), 0.0);
+        vec3(emissionDensity(light, ray.normal, other), originDensity(light, ray.origin + other, ray.direction),
+             sampleLight(light, receiver, again).pdfW);
     args.densities.at[3u * i + 2u] = ray.power;
 }
 )";
@@ -71,9 +75,9 @@ TEST_CASE("rays from lights and to them have the reference's densities") {
         const dvec3 other = reference::uniformSphere(numbers(2));
         const double cosLight = ray.normal == dvec3(0) ? 1 : glm::dot(ray.normal, ray.direction);
         const vec3* found = &densities.host()[std::size_t{3} * i];
+        const double toLight = cosLight * lightPdf(light, ray.origin + ray.direction, -ray.direction, 1, ray.normal);
         const bool same = agree(found[0].x, ray.pdfDirection) && agree(found[0].y, ray.pdfOrigin) &&
-                          agree(found[0].z * cosLight, cosLight * lightPdf(light, ray.origin + ray.direction,
-                                                                           -ray.direction, 1, ray.normal)) &&
+                          agree(found[0].z * cosLight, toLight) && agree(found[1].z * cosLight, toLight) &&
                           agree(found[1].x, emissionDensity(light, ray.normal, other)) &&
                           agree(found[1].y, originDensity(light, ray.origin + other, ray.direction)) &&
                           distance(found[2], ray.power) <= 1e-5 * glm::length(ray.power);
