@@ -106,8 +106,8 @@ struct LightRay {
 // for parallel light.
 [[nodiscard]] double emissionDensity(const Light& light, const glm::dvec3& normal, const glm::dvec3& direction);
 
-// Density [1/m^2], across `direction`, with which emitFrom would start a ray of this direction on the line through
-// `point`; 0 for lights that choose the origin first.
+// Density [1/m^2], across `direction`, with which emitFrom starts its rays of this direction on the line through
+// `point`; 0 for lights that choose the origin first. Of parallel light the direction must be its own.
 [[nodiscard]] double originDensity(const Light& light, const glm::dvec3& point, const glm::dvec3& direction);
 
 struct Emission {

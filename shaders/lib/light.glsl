@@ -95,35 +95,8 @@ struct LightSample {
     vec3 direction;  // unit, towards the light
     float distance;  // [m]; kInfinity: beyond the scene
     vec3 irradiance; // on a surface that faces the direction [W/m^2], the direction's density divided out
+    float pdfW;      // that density [1/sr]; 0: there was no choice, and no ray can hit the light
 };
-
-LightSample sampleLight(LightRecord light, vec3 receiver, vec2 u) {
-    if (light.type == kLightDirectional) {
-        return LightSample(-light.normal, kInfinity, light.emission);
-    }
-    if (light.type == kLightBeam) {
-        float along = dot(receiver - light.position, light.normal);
-        bool isLit = along > 0.0 && passesDisc(light, receiver, light.normal);
-        return LightSample(-light.normal, along, isLit ? light.emission : vec3(0.0));
-    }
-    if (light.type == kLightEnvironment) {
-        vec3 direction = sampleEnvironment(light, u);
-        vec3 radiance = environmentRadiance(light, direction);
-        float pdfW = environmentPdf(light, radiance);
-        return LightSample(direction, kInfinity, pdfW > 0.0 ? radiance / pdfW : vec3(0.0));
-    }
-    LightPoint point = pointFacing(light, receiver, u);
-    vec3 toLight = point.position - receiver;
-    float distance2 = dot(toLight, toLight);
-    float distance = sqrt(distance2);
-    vec3 direction = toLight / distance;
-    if (isSurface(light.type)) {
-        float cosLight = max(0.0, -dot(direction, point.normal));
-        return LightSample(direction, distance, light.emission * (cosLight * areaFacing(light) / distance2));
-    }
-    float share = light.type == kLightSpot ? spotFalloff(light, -direction) : 1.0;
-    return LightSample(direction, distance, light.emission * (share / distance2));
-}
 
 // Density [1/sr] with which sampleLight chooses the unit `direction` from a receiver that sees the light there, at this
 // distance and with this normal (neither matters where it comes from beyond the scene); 0 where it chooses none, at
@@ -134,6 +107,35 @@ float lightPdf(LightRecord light, vec3 receiver, vec3 direction, float distance,
     }
     float cosLight = -dot(direction, lightNormal);
     return isSurface(light.type) && cosLight > 0.0 ? distance * distance / (cosLight * areaFacing(light)) : 0.0;
+}
+
+LightSample sampleLight(LightRecord light, vec3 receiver, vec2 u) {
+    if (light.type == kLightDirectional) {
+        return LightSample(-light.normal, kInfinity, light.emission, 0.0);
+    }
+    if (light.type == kLightBeam) {
+        float along = dot(receiver - light.position, light.normal);
+        bool isLit = along > 0.0 && passesDisc(light, receiver, light.normal);
+        return LightSample(-light.normal, along, isLit ? light.emission : vec3(0.0), 0.0);
+    }
+    if (light.type == kLightEnvironment) {
+        vec3 direction = sampleEnvironment(light, u);
+        vec3 radiance = environmentRadiance(light, direction);
+        float pdfW = environmentPdf(light, radiance);
+        return LightSample(direction, kInfinity, pdfW > 0.0 ? radiance / pdfW : vec3(0.0), pdfW);
+    }
+    LightPoint point = pointFacing(light, receiver, u);
+    vec3 toLight = point.position - receiver;
+    float distance2 = dot(toLight, toLight);
+    float distance = sqrt(distance2);
+    vec3 direction = toLight / distance;
+    if (isSurface(light.type)) {
+        float cosLight = max(0.0, -dot(direction, point.normal));
+        return LightSample(direction, distance, light.emission * (cosLight * areaFacing(light) / distance2),
+                           lightPdf(light, receiver, direction, distance, point.normal));
+    }
+    float share = light.type == kLightSpot ? spotFalloff(light, -direction) : 1.0;
+    return LightSample(direction, distance, light.emission * (share / distance2), 0.0);
 }
 
 // ---- From the light into the scene
@@ -177,8 +179,8 @@ float emissionDensity(LightRecord light, vec3 normal, vec3 direction) {
     }
 }
 
-// Density [1/m^2], across `direction`, with which emitFrom would start a ray of this direction on the line through
-// `point`; 0 for lights that choose the origin first.
+// Density [1/m^2], across `direction`, with which emitFrom starts its rays of this direction on the line through
+// `point`; 0 for lights that choose the origin first. Of parallel light the direction must be its own.
 float originDensity(LightRecord light, vec3 point, vec3 direction) {
     bool hasDisc = light.type == kLightBeam || isEndless(light.type);
     return hasDisc && passesDisc(light, point, direction) ? 1.0 / light.area : 0.0;
