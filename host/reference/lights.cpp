@@ -2,6 +2,7 @@
 #include "reference/lights.h"
 
 #include "reference/photons.h"
+#include "reference/projection_map.h"
 #include "reference/world.h"
 
 #include <algorithm>
