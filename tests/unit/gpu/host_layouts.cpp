@@ -41,6 +41,7 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(Photon, position, direction, power, surface);
     HOST_LAYOUT(PhotonFate, stored, absorbed, escaped, cutOff);
     HOST_LAYOUT(GridRecord, inverseCellSize, bucketMask);
+    HOST_LAYOUT(PhotonMapRecord, order, cellStarts, grid.inverseCellSize, grid.bucketMask, base, count);
     HOST_LAYOUT(GenerateCameraRaysArguments, rays, paths, camera.position, camera.forward, camera.right, camera.up,
                 camera.width, camera.height, camera.lensRadius, camera.focusDistance, count, seed, pass);
     HOST_LAYOUT(TraceClosestArguments, rays, hits, count, rootNode);
