@@ -109,10 +109,11 @@ gpu::Array<shared::Photon> PhotonMaps::computeIrradiance(const gpu::Array<shared
     const gpu::Array<glm::vec3> irradiance(device_.context, count, "irradiance");
     const gpu::Array<float> radii(device_.context, count, "radii of estimates");
     gpu::Array<shared::Photon> records(device_.context, count, "records of irradiance");
-    device_.commands.run(device_.kernel("begin_irradiance"), shared::BeginIrradianceArguments{photons, points, count},
-                         count);
+    const gpu::Kernel beginIrradiance = device_.kernel("begin_irradiance");
+    const gpu::Kernel storeIrradiance = device_.kernel("store_irradiance");
+    device_.commands.run(beginIrradiance, shared::BeginIrradianceArguments{photons, points, count}, count);
     estimateGlobal(points, kAllLight, irradiance, radii);
-    device_.commands.run(device_.kernel("store_irradiance"),
+    device_.commands.run(storeIrradiance,
                          shared::StoreIrradianceArguments{photons, irradiance, records, count}, count);
     device_.commands.finish();
     return records;
