@@ -84,8 +84,8 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(ResolveFilmArguments, film, image, count, scale);
     HOST_LAYOUT(TargetRecord, center, radius);
     HOST_LAYOUT(EmitCausticPhotonsArguments, lights, targets, rays, paths, count, lightCount, targetCount, sequence);
-    HOST_LAYOUT(CastShadowPhotonsArguments, rays, hits, paths, materials, normals, instances, photons, nextRays, nextPaths,
-                alive, count, firstPhoton);
+    HOST_LAYOUT(CastShadowPhotonsArguments, rays, hits, paths, materials, normals, instances, photons, nextRays,
+                nextPaths, alive, count, firstPhoton);
     HOST_LAYOUT(StartGatherRaysArguments, visiblePoints, rays, paths, alive, count, index);
     HOST_LAYOUT(BeginIrradianceArguments, photons, visiblePoints, count);
     HOST_LAYOUT(StoreIrradianceArguments, photons, irradiance, records, count);
