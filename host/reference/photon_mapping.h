@@ -48,6 +48,9 @@ void followPath(const World& world, const Ray& ray, const CameraPath& path, std:
                 const Visit& visit) {
     const std::optional<Hit> hit = traceClosest(world, ray);
     if (!hit) {
+        Shading beyond;
+        beyond.emitted = path.beta * environmentRadiance(world, ray.direction);
+        visit(beyond);
         return;
     }
     const Shading shading = shadeSurface(world, ray, *hit, path, depth, index);
