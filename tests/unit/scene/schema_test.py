@@ -23,7 +23,13 @@ GOOD = {
     "hyalite": 1,
     "camera": {"fov": 40, "resolution": [640, 480]},
     "render": {"integrator": "whitted", "max_depth": 0, "radius": 0},
-    "materials": {"m": {"type": "diffuse", "albedo": 0.5}},
+    "materials": {
+        "m": {"type": "diffuse", "albedo": 0.5},
+        "gold": {"type": "conductor", "metal": "gold", "roughness": 0.3},
+        "tin": {"type": "conductor", "eta": 1.5, "k": [5, 5, 4.5]},
+        "frosted": {"type": "dielectric", "roughness": 0.2},
+        "paint": {"type": "metallic_roughness", "base_color": [1, 0, 0], "metallic": 0.5, "roughness": 1},
+    },
     "lights": [{"type": "point", "position": [0, 1, 0], "intensity": [1, 1, 1]}],
     "objects": [
         {"shape": {"type": "sphere", "radius": 1}, "material": "m", "transform": [{"scale": 2}]},
@@ -52,6 +58,10 @@ MISTAKES = [
     (["render", "photons"], 16777217), (["render", "radius"], -1), (["render", "alpha"], 1),
     (["render", "integrator"], "ppm"),  # with max_depth 0
     (["materials", "m", "albedo"], 1.1), (["materials", "m", "type"], "velvet"), (["materials", "m", "ior"], 1.5),
+    (["materials", "gold", "eta"], 1), (["materials", "gold", "metal"], "tin"), (["materials", "gold", "metal"], None),
+    (["materials", "gold", "roughness"], 1.5), (["materials", "tin", "k"], None), (["materials", "tin", "eta"], 0),
+    (["materials", "frosted", "roughness"], -1), (["materials", "paint", "metallic"], 2),
+    (["materials", "paint", "base_color"], [1, 0, 1.1]), (["materials", "paint", "ior"], 1.5),
     (["lights", 0, "intensity"], [1, -1, 1]), (["lights", 0, "position"], None), (["lights", 0, "type"], "spot"),
     (["objects", 0, "material"], None), (["objects", 0, "emission"], -1), (["objects", 0, "shape", "radius"], 0),
     (["objects", 0, "shape", "radius"], None), (["objects", 0, "shape", "type"], "cube"),
