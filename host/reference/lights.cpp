@@ -1,6 +1,7 @@
 // Sampling the lights from both ends: shadow rays from surfaces, photons from the lights.
 #include "reference/lights.h"
 
+#include "reference/materials.h"
 #include "reference/photons.h"
 #include "reference/world.h"
 
@@ -85,27 +86,34 @@ struct Offer {
     glm::dvec3 position;
     glm::dvec3 shadowEnd;
     glm::dvec3 intensity;
+    double pdfW = 0; // see lightPdfW
 };
+
+// Of a sphere only the half that faces the receiver is sampled.
+double sampledArea(const AreaLight& light) {
+    return std::holds_alternative<Sphere>(light.shape) ? light.area / 2 : light.area;
+}
 
 Offer offerTo(const glm::dvec3& /*receiver*/, const PointLight& light, glm::dvec2 /*uv*/) {
     return {.position = light.position, .shadowEnd = light.position, .intensity = light.intensity};
 }
 
-// An area sends Le cos(l) per area, and 1 / A is the density of the point; of a sphere only the half that faces the
-// receiver is sampled.
+// An area sends Le cos(l) per area, and 1 / A is the density of the point.
 Offer offerTo(const glm::dvec3& receiver, const AreaLight& light, glm::dvec2 uv) {
     LightPoint y = pointOn(light, uv);
-    double area = light.area;
     if (const auto* sphere = std::get_if<Sphere>(&light.shape)) {
-        area /= 2;
         if (glm::dot(y.normal, receiver - sphere->center) < 0) {
             y.normal = -y.normal;
             y.position = sphere->center + sphere->radius * y.normal;
         }
     }
-    const double cosLight = glm::dot(y.normal, glm::normalize(receiver - y.position));
-    return {
-        .position = y.position, .shadowEnd = y.moved(), .intensity = light.radiance * (std::max(cosLight, 0.0) * area)};
+    const double distance = glm::length(receiver - y.position);
+    const glm::dvec3 fromLight = (receiver - y.position) / distance;
+    const double cosLight = std::max(0.0, glm::dot(y.normal, fromLight));
+    return {.position = y.position,
+            .shadowEnd = y.moved(),
+            .intensity = light.radiance * (cosLight * sampledArea(light)),
+            .pdfW = cosLight > 0 ? lightPdfW(light, y.normal, fromLight, distance) : 0};
 }
 
 } // namespace
@@ -120,6 +128,7 @@ std::vector<Light> makeLights(const Scene& scene) {
             continue;
         }
         lights.push_back(makeAreaLight(object));
+        lights.back().object = static_cast<std::uint32_t>(&object - scene.objects.data());
     }
     double total = 0;
     for (const Light& light : lights) {
@@ -145,30 +154,43 @@ std::uint32_t chooseLight(const std::vector<Light>& lights, double x) {
     return light;
 }
 
-std::optional<LightSample> sampleLight(const World& world, const VisiblePoint& x, std::uint32_t pass,
-                                       std::optional<std::uint32_t> light) {
-    const std::uint32_t vertex = x.depth - 1;
-    shared::Sampler sampler{.seed = x.samplerSeed, .index = pass};
+double lightPdfW(const AreaLight& light, const glm::dvec3& normal, const glm::dvec3& fromLight, double distance) {
+    return distance * distance / (glm::dot(normal, fromLight) * sampledArea(light));
+}
+
+LightArrival sampleArrival(const World& world, const glm::dvec3& receiver, const LightChoice& choice) {
+    const std::uint32_t vertex = choice.depth - 1;
+    shared::Sampler sampler{.seed = choice.samplerSeed, .index = choice.pass};
+    std::uint32_t light = 0;
     double pmf = 1;
-    if (light) {
-        sampler.seed = shared::hashCombine(sampler.seed, *light);
+    if (choice.light) {
+        light = *choice.light;
+        sampler.seed = shared::hashCombine(sampler.seed, light);
     } else {
         light = chooseLight(world.lights, sampleUnitSquare(sampler, shared::cameraLightChoice(vertex)).x);
-        pmf = world.lights[*light].pmf;
+        pmf = world.lights[light].pmf;
     }
-    const Light& chosen = world.lights[*light];
-
     const glm::dvec2 uv = sampleUnitSquare(sampler, shared::cameraLightPoint(vertex));
-    const Offer offer = std::visit([&](const auto& shape) { return offerTo(x.position, shape, uv); }, chosen.shape);
-    const glm::dvec3 way = offer.position - x.position;
-    const double distance2 = glm::dot(way, way);
-    const double cosX = glm::dot(x.normal, way) / std::sqrt(distance2);
-    if (!(cosX > 0 && channelMean(offer.intensity) > 0)) {
+    const Offer offer =
+        std::visit([&](const auto& shape) { return offerTo(receiver, shape, uv); }, world.lights[light].shape);
+    const glm::dvec3 way = offer.position - receiver;
+    return {.position = offer.position,
+            .shadowEnd = offer.shadowEnd,
+            .irradiance = offer.intensity / (glm::dot(way, way) * pmf),
+            .pdfW = pmf * offer.pdfW};
+}
+
+std::optional<LightSample> sampleLight(const World& world, const VisiblePoint& x, std::uint32_t pass,
+                                       std::optional<std::uint32_t> light) {
+    const LightArrival arrival = sampleArrival(
+        world, x.position, {.depth = x.depth, .samplerSeed = x.samplerSeed, .pass = pass, .light = light});
+    const double cosX = glm::dot(x.normal, glm::normalize(arrival.position - x.position));
+    if (!(cosX > 0 && channelMean(arrival.irradiance) > 0)) {
         return std::nullopt;
     }
-    return LightSample{.from = x.shadowOrigin,
-                       .to = offer.shadowEnd,
-                       .contribution = x.f * offer.intensity * (cosX / (distance2 * pmf))};
+    const double entering = x.coated ? coatTransmission(cosX) : 1;
+    return LightSample{
+        .from = x.shadowOrigin, .to = arrival.shadowEnd, .contribution = x.f * arrival.irradiance * (cosX * entering)};
 }
 
 Emission emitPhoton(const World& world, std::uint32_t photon, const PhotonPass& pass) {

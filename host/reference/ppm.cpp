@@ -32,6 +32,10 @@ glm::dvec3 tracePath(const World& world, const PhotonMap& photons, double radius
         L += directLight(world, *shading.visible, pass);
         L += gatherRadiance(photons, *shading.visible, radius, world.render.maxDepth);
     }
+    if (shading.rough) {
+        const auto sample = sampleRoughLight(world, *shading.rough, pass, std::nullopt);
+        L += sample && traceShadow(world, sample->from, sample->to) ? sample->contribution : glm::dvec3(0);
+    }
     for (const std::optional<NextRay>& next : shading.next) {
         if (next) {
             L += tracePath(world, photons, radius, next->ray, next->path, depth + 1, pass);

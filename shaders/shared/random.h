@@ -87,24 +87,27 @@ SHARED_FUNCTION uvec2 sampleBits(Sampler s, uint dimension) {
 // Which pair of numbers a choice along a path uses. Vertices are counted from 0, the first hit.
 SHARED_CONSTANT kCameraPixel = 0u; // place in the pixel
 
-SHARED_FUNCTION uint cameraScatter(uint vertex) { // x: reflected or refracted
-    return 2u + 3u * vertex;
+SHARED_FUNCTION uint cameraScatter(uint vertex) { // x: reflected or refracted, by lobe or diffuse part
+    return 2u + 4u * vertex;
 }
 SHARED_FUNCTION uint cameraLightPoint(uint vertex) { // point on the light
-    return 3u + 3u * vertex;
+    return 3u + 4u * vertex;
 }
 SHARED_FUNCTION uint cameraLightChoice(uint vertex) { // x: which light
-    return 4u + 3u * vertex;
+    return 4u + 4u * vertex;
+}
+SHARED_FUNCTION uint cameraBounce(uint vertex) { // direction off a rough surface
+    return 5u + 4u * vertex;
 }
 
 SHARED_CONSTANT kPhotonLight = 0u;     // x: which light emits, y: which target it aims at
 SHARED_CONSTANT kPhotonOrigin = 1u;    // point on the light
 SHARED_CONSTANT kPhotonDirection = 2u; // direction of emission
 
-SHARED_FUNCTION uint photonScatter(uint vertex) { // x: roulette, y: reflected or refracted
+SHARED_FUNCTION uint photonScatter(uint vertex) { // x: roulette, y: reflected or refracted, by lobe or diffuse part
     return 3u + 2u * vertex;
 }
-SHARED_FUNCTION uint photonBounce(uint vertex) { // direction after a diffuse reflection
+SHARED_FUNCTION uint photonBounce(uint vertex) { // direction off a diffuse or rough surface
     return 4u + 2u * vertex;
 }
 
