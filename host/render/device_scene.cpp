@@ -1,5 +1,6 @@
 #include "render/device_scene.h"
 
+#include "render/material_table.h"
 #include "render/mesh_tables.h"
 #include "render/object_table.h"
 
@@ -15,25 +16,6 @@ using glm::vec3;
 
 // Up to so many objects are tried one by one: eight measure 2.4 times as fast as their hierarchy.
 constexpr std::size_t kFewObjects = 12;
-
-shared::MaterialRecord materialRecord(const Material& material) {
-    shared::MaterialRecord r{};
-    r.ior = 1;
-    r.colorTexture = shared::kNone;
-    r.roughnessTexture = shared::kNone;
-    if (const auto* diffuse = std::get_if<Diffuse>(&material.model)) {
-        r.type = shared::kMaterialDiffuse;
-        r.color = diffuse->albedo;
-    } else if (const auto* mirror = std::get_if<Mirror>(&material.model)) {
-        r.type = shared::kMaterialMirror;
-        r.color = mirror->reflectance;
-    } else {
-        r.type = shared::kMaterialDielectric;
-        r.color = vec3(1);
-        r.ior = static_cast<float>(std::get<Dielectric>(material.model).ior);
-    }
-    return r;
-}
 
 shared::LightRecord lightRecord(const PointLight& light) {
     shared::LightRecord r{};
@@ -138,17 +120,15 @@ DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, c
     MeshTables meshes = buildMeshTables(scene.meshes);
     ObjectTable objects =
         buildObjectTable(scene, meshes.roots, static_cast<std::uint32_t>(scene.lights.size()), meshes.nodes);
-    std::vector<shared::MaterialRecord> materials;
-    for (const Material& material : scene.materials) {
-        materials.push_back(materialRecord(material));
-    }
+    const MaterialTable materials = buildMaterialTable(scene.materials);
     const std::vector<shared::LightRecord> lights = lightRecords(scene);
 
     DeviceScene device;
     device.camera = cameraRecord(scene.camera);
     device.rootNode = objects.rootNode;
     device.lightCount = static_cast<std::uint32_t>(lights.size());
-    device.materials = {context, std::span<const shared::MaterialRecord>(materials), "materials"};
+    device.materials = {context, std::span<const shared::MaterialRecord>(materials.records), "materials"};
+    device.hasRoughLobes = materials.hasRoughLobes();
     device.lights = {context, std::span<const shared::LightRecord>(lights), "lights"};
     device.instances = {context, std::span<const shared::InstanceRecord>(objects.instances), "instances"};
     device.normals = {context, std::span<const vec3>(meshes.normals), "normals"};
@@ -162,6 +142,7 @@ DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, c
     device.specialization["kShapeTypes"] = objects.shapeTypes;
     device.specialization["kFewObjects"] = areFew ? static_cast<std::uint32_t>(scene.objects.size()) : 0;
     device.specialization["kEndlessObjects"] = objects.endlessCount;
+    device.specialization["kMaterialTypes"] = materials.types;
     device.objectOf = std::move(objects.objectOf);
     device.leafOf = std::move(objects.leafOf);
     device.triangleOf = std::move(meshes.fileOrder);

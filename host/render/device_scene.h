@@ -20,6 +20,7 @@ struct DeviceScene {
     gpu::Array<glm::vec4> triangles;
     std::uint32_t rootNode = 0;
     std::uint32_t lightCount = 0;
+    bool hasRoughLobes = false;            // whether camera paths leave rough points
     std::vector<std::uint32_t> objectOf;   // see ObjectTable
     std::vector<std::uint32_t> leafOf;     // see ObjectTable
     std::vector<std::uint32_t> triangleOf; // see MeshTables::fileOrder

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Picks a point on a light for each visible point, and says which shadow ray decides whether its light arrives.
 #include "shared/kernel_arguments.h"
+#include "lib/diffuse.glsl"
 #include "lib/light.glsl"
 #include "lib/sampling.glsl"
 #include "lib/thread.glsl"
@@ -29,7 +30,9 @@ void main() {
     float distance2 = dot(toLight, toLight);
     float distance = sqrt(distance2);
     vec3 wi = toLight / distance;
-    vec3 contribution = x.f * arrivingFlux(light, point.normal, -wi, distance2) * dot(x.normal, wi) / (one ? light.pmf : 1.0);
+    float cosine = dot(x.normal, wi);
+    vec3 f = x.f * diffuseFactor(x.coat, cosine);
+    vec3 contribution = f * arrivingFlux(light, point.normal, -wi, distance2) * cosine / (one ? light.pmf : 1.0);
     if (maxComponent(contribution) > 0.0) { // also false when the light is behind the surface or touches it
         args.shadowRays.at[i] = Ray(x.position, distance, wi, x.from);
         args.contributions.at[i] = contribution;

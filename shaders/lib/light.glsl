@@ -62,4 +62,14 @@ vec3 arrivingFlux(LightRecord light, vec3 normal, vec3 fromLight, float distance
     float area = light.type == kLightSphere ? 0.5 * light.area : light.area;
     return light.emission * (max(0.0, dot(fromLight, normal)) * area / distance2);
 }
+
+// Density [1/sr] with which pointFacing takes a point that sends light in the unit direction `fromLight` over the
+// squared distance, normal as there; 0 for point lights, which no ray meets.
+float lightPdfW(LightRecord light, vec3 normal, vec3 fromLight, float distance2) {
+    if (light.type == kLightPoint) {
+        return 0.0;
+    }
+    float area = light.type == kLightSphere ? 0.5 * light.area : light.area;
+    return distance2 / max(kTiny, dot(fromLight, normal) * area);
+}
 #endif

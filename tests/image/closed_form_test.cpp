@@ -8,7 +8,7 @@ namespace hyalite::testing {
 namespace {
 
 Image onDevice(const Scene& scene) {
-    return render::render(Gpu::shared().context(), Gpu::shared().compiler(), scene, {}).image;
+    return render::render(Gpu::shared().context(), Gpu::shared().compiler(), scene, {}).image.picture;
 }
 
 dvec3 meanOf(const Image& image) {

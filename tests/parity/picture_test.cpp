@@ -71,6 +71,15 @@ TEST_CASE("whitted and ppm give the reference's picture of every shape and of CS
     comparePictures("whitted-shapes", scene, 0.99);
 }
 
+TEST_CASE("whitted and ppm give the reference's picture of every material, smooth and rough") {
+    Scene scene = loadScene(std::filesystem::path(HYALITE_SOURCE_DIR) / "scenes/tests/all-materials.yaml");
+    // Photons that come by rough glass and metal land a little aside, on the other side of a disc's rim
+    comparePictures("ppm-materials", scene, 0.97);
+    scene.render.integrator = Integrator::Whitted;
+    scene.render.minWeight = 0.01;
+    comparePictures("whitted-materials", scene, 0.99);
+}
+
 TEST_CASE("ppm gives the reference's picture of meshes, point lights and many spheres") {
     Scene scene = crowdedBox();
     scene.lights = {{{0, 0.2, 0.8}, {0.5, 0.4, 0.3}}};
