@@ -31,7 +31,7 @@ std::size_t sceneMaterial(const Value& file, std::size_t material, const Surroun
         parts.firstMaterial = around.scene.materials.size();
         for (std::size_t i = 0; i < parts.materials.size(); ++i) {
             const std::string name = file.text() + " materials[" + std::to_string(i) + ']';
-            around.scene.materials.push_back({name, nearestModel(parts.materials[i])});
+            around.scene.materials.push_back({name, sceneModel(parts.materials[i])});
         }
     }
     return *parts.firstMaterial + material;
