@@ -27,3 +27,4 @@ picture csg csg
 picture csg-cube csg-cube
 picture glass-teapot glass-teapot
 picture instances instances
+picture metals metals
