@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""Writes the models of the test scenes, scenes/models/icosahedron.obj and uv-sphere.ply, from their formulas."""
+"""Writes the models of the test scenes in scenes/models (icosahedron.obj, uv-sphere.ply, graticule.png, sky.exr) from their
+formulas."""
 
 import math
 import pathlib
 import struct
+import zlib
 
 MODELS = pathlib.Path(__file__).resolve().parent.parent / "scenes" / "models"
 
@@ -68,6 +70,61 @@ def write_uv_sphere(path, rings=12, sectors=24):
     path.write_bytes("\n".join(header).encode() + b"\n" + body)
 
 
+def write_graticule(path, width=96, height=48):
+    """A globe's map: a sea that darkens towards the poles, with a bright line every 45 degrees and a red equator."""
+    rows = []
+    for y in range(height):
+        row = bytearray([0])  # filter: none
+        for x in range(width):
+            sea = 150 - 100 * abs(2 * y + 1 - height) // height
+            color = (40, sea, 200)
+            if x % (width // 8) == 0 or y % (height // 4) == 0:
+                color = (240, 235, 210)
+            if y in (height // 2 - 1, height // 2):
+                color = (220, 40, 30)
+            row += bytes(color)
+        rows.append(bytes(row))
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(b"".join(rows), 9))
+                     + chunk(b"IEND", b""))
+def write_sky(path, width=32, height=16):
+    """Equirectangular sky of plain steps, brighter at the horizon, a sun of four pixels, dim ground: an EXR file of
+    32-bit floats, without compression."""
+    def color(x, y):
+        if y >= height // 2:
+            return 0.08, 0.06, 0.05
+        if y in (3, 4) and x in (20, 21):
+            return 14, 12, 9
+        haze = (y + 0.5) / (height // 2)
+        return 0.15 + 0.25 * haze, 0.25 + 0.25 * haze, 0.5 + 0.15 * haze
+
+    def attribute(name, kind, data):
+        return name.encode() + b"\0" + kind.encode() + b"\0" + struct.pack("<i", len(data)) + data
+
+    channels = b"".join(name + b"\0" + struct.pack("<iiii", 2, 0, 1, 1) for name in (b"B", b"G", b"R")) + b"\0"
+    window = struct.pack("<4i", 0, 0, width - 1, height - 1)
+    header = struct.pack("<ii", 20000630, 2)
+    header += attribute("channels", "chlist", channels) + attribute("compression", "compression", b"\0")
+    header += attribute("dataWindow", "box2i", window) + attribute("displayWindow", "box2i", window)
+    header += attribute("lineOrder", "lineOrder", b"\0") + attribute("pixelAspectRatio", "float", struct.pack("<f", 1))
+    header += attribute("screenWindowCenter", "v2f", struct.pack("<ff", 0, 0))
+    header += attribute("screenWindowWidth", "float", struct.pack("<f", 1)) + b"\0"
+    rows = []
+    for y in range(height):
+        pixels = [color(x, y) for x in range(width)]
+        samples = b"".join(struct.pack("<f", pixel[c]) for c in (2, 1, 0) for pixel in pixels)
+        rows.append(struct.pack("<ii", y, len(samples)) + samples)
+    first = len(header) + 8 * height
+    offsets = b"".join(struct.pack("<Q", first + y * len(rows[0])) for y in range(height))
+    path.write_bytes(header + offsets + b"".join(rows))
+
+
 MODELS.mkdir(parents=True, exist_ok=True)
 write_icosahedron(MODELS / "icosahedron.obj")
 write_uv_sphere(MODELS / "uv-sphere.ply")
+write_graticule(MODELS / "graticule.png")
+write_sky(MODELS / "sky.exr")

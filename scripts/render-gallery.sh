@@ -22,9 +22,16 @@ picture reflections-0 reflections --max-depth 0
 picture reflections-1 reflections --max-depth 1
 picture reflections-5 reflections --max-depth 5
 picture glass-and-mirror glass-and-mirror
+picture globe globe
 picture quadrics quadrics
 picture csg csg
 picture csg-cube csg-cube
 picture glass-teapot glass-teapot
 picture instances instances
 picture metals metals
+picture cornell-global cornell-box --set render.gather_rays=0
+picture cornell-gather cornell-box
+picture glass-ball glass-ball
+picture caustic-ring caustic-ring
+picture room-through-gap room-through-gap
+picture teapot-caustic teapot-caustic

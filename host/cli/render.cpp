@@ -1,5 +1,6 @@
 // `hyalite render`: a scene file to pictures, on the device or by the reference.
 #include "reference/render.h"
+#include "base/output_file.h"
 #include "base/progress.h"
 #include "base/stopwatch.h"
 #include "cli/command.h"
@@ -31,6 +32,9 @@ struct RenderCommand {
     std::string shaders;
     double time = 0; // [s]; 0: no limit
     bool validation = false;
+    std::string savePhotons;
+    std::string loadPhotons;
+    bool layers = false;
     bool profile = false;
     bool json = false;
     bool quiet = false;
@@ -96,10 +100,29 @@ void refuseDeviceOptions(const RenderCommand& command) {
     refuse(!command.shaders.empty(), "--shaders");
     refuse(command.validation, "--validation");
     refuse(command.profile, "--profile");
+    refuse(!command.savePhotons.empty(), "--save-photons");
+    refuse(!command.loadPhotons.empty(), "--load-photons");
 }
 
 std::string name(Integrator integrator) {
-    return integrator == Integrator::Whitted ? "whitted" : "ppm";
+    switch (integrator) {
+    case Integrator::Whitted:
+        return "whitted";
+    case Integrator::Ppm:
+        return "ppm";
+    case Integrator::PhotonMap:
+        return "photonmap";
+    case Integrator::Path:
+        return "path";
+    }
+    return {};
+}
+
+void refuseReferenceIntegrators(const Scene& scene) {
+    if (scene.render.integrator == Integrator::Path) {
+        throw Error(ExitCode::WrongUsage, "the integrator 'path' runs in the reference alone",
+                    "use --backend reference");
+    }
 }
 
 LayeredImage renderOnDevice(const RenderCommand& command, const Scene& scene, ProgressBar& bar, RenderReport& report) {
@@ -115,12 +138,15 @@ LayeredImage renderOnDevice(const RenderCommand& command, const Scene& scene, Pr
     renderOptions.onPass = [&](const render::Progress& p) {
         bar.update(p.passes, p.ofPasses, p.seconds, command.time);
     };
+    renderOptions.savePhotons = command.savePhotons;
+    renderOptions.loadPhotons = command.loadPhotons;
     render::RenderResult result = render::render(context, compiler, scene, renderOptions);
     report.device = context.info().name + ", " + context.info().driver;
     report.passes = result.passes;
     report.setupSeconds = result.setupSeconds;
     report.renderSeconds = result.renderSeconds;
     report.counts = result.counts;
+    report.notes = std::move(result.notes);
     report.stages = std::move(result.stages);
     if (context.validationMessages() > 0) {
         throw Error(ExitCode::Device, std::to_string(context.validationMessages()) + " validation messages");
@@ -143,6 +169,36 @@ LayeredImage renderByReference(const RenderCommand& command, const Scene& scene,
     return reference::render(scene, options);
 }
 
+// What a file holds: the picture and, if asked, its layers; a PNG keeps the picture alone.
+std::vector<Layer> layersOf(const LayeredImage& image, bool all) {
+    std::vector<Layer> layers{{"", image.picture}};
+    for (const NamedImage& layer : image.layers) {
+        if (all) {
+            layers.push_back({layer.name, layer.image});
+        }
+    }
+    return layers;
+}
+
+// Options that have no use with this integrator or these outputs.
+void refuseUnused(const RenderCommand& command, const Scene& scene) {
+    const bool photonMap = scene.render.integrator == Integrator::PhotonMap;
+    if (!photonMap && !(command.savePhotons.empty() && command.loadPhotons.empty())) {
+        throw Error(ExitCode::WrongUsage, "only integrator photonmap saves and loads photon maps",
+                    "add --integrator photonmap");
+    }
+    const bool anyExr = std::ranges::any_of(command.outputs, [](const std::string& output) {
+        return std::filesystem::path(output).extension() == ".exr";
+    });
+    if (command.layers && !anyExr) {
+        throw Error(ExitCode::WrongUsage, "--layers has no use without an .exr file to write them to",
+                    "add -o FILE.exr");
+    }
+    if (!command.savePhotons.empty()) {
+        checkWritable(command.savePhotons);
+    }
+}
+
 void renderScene(RenderCommand command) {
     const Stopwatch watch;
     const bool byReference = command.backend == "reference";
@@ -151,12 +207,16 @@ void renderScene(RenderCommand command) {
     }
     Scene scene = loadScene(command.scene);
     applySettings(scene, allSettings(command));
+    if (!byReference) {
+        refuseReferenceIntegrators(scene);
+    }
     if (command.outputs.empty()) {
         command.outputs.push_back(std::filesystem::path(command.scene).stem().string() + ".png");
     }
     for (const std::string& output : command.outputs) {
         checkImageWritable(output);
     }
+    refuseUnused(command, scene);
 
     RenderReport report;
     report.scene = command.scene;
@@ -172,7 +232,7 @@ void renderScene(RenderCommand command) {
             byReference ? renderByReference(command, scene, bar, report) : renderOnDevice(command, scene, bar, report);
     }
     for (const std::string& output : command.outputs) {
-        writeImage(output, image.picture,
+        writeImage(output, layersOf(image, command.layers),
                    {{"software", "hyalite " HYALITE_VERSION},
                     {"scene", std::filesystem::path(command.scene).filename().string()},
                     {"integrator", report.integrator},
@@ -182,12 +242,15 @@ void renderScene(RenderCommand command) {
     }
     report.totalSeconds = watch.seconds();
 
+    for (const std::string& warning : report.notes.warnings) {
+        std::cerr << "hyalite: warning: " << warning << '\n';
+    }
     if (command.json) {
         std::cout << jsonReport(report) << '\n';
         return;
     }
     if (command.profile) {
-        std::cout << stageTable(report);
+        std::cout << stageTable(report) << photonTable(report);
     }
     if (!command.quiet) {
         for (const std::string& output : command.outputs) {
@@ -210,7 +273,8 @@ void addRender(CLI::App& app, ExitCode&) {
         RenderCommand::Setting& setting = command->shorthands[index];
         sub->add_option(setting.option, setting.value, text);
     };
-    shorthand(0, "ppm (progressive photon mapping) or whitted (recursive ray tracing)");
+    shorthand(0, "ppm (progressive photon mapping), photonmap (in two passes), whitted (recursive ray tracing) or path "
+                 "(path tracing, reference only)");
     shorthand(1, "picture size, WIDTHxHEIGHT");
     shorthand(2, "passes, each one sample per pixel");
     shorthand(3, "the same as --passes");
@@ -226,6 +290,10 @@ void addRender(CLI::App& app, ExitCode&) {
     sub->add_option("--shaders", command->shaders, "folder of shaders to use instead of the installed ones");
     sub->add_option("--set", command->settings, "set a key of the scene file, e.g. --set render.radius=0.01");
     sub->add_flag("--validation", command->validation, "check every Vulkan call with the validation layers");
+    sub->add_flag("--layers", command->layers, "write the parts that the picture is the sum of into .exr files too");
+    sub->add_option("--save-photons", command->savePhotons, "photonmap: write the photon maps to this file");
+    sub->add_option("--load-photons", command->loadPhotons,
+                    "photonmap: read the photon maps from this file instead of tracing them");
     sub->add_flag("--profile", command->profile, "print a table of the stages' times");
     sub->add_flag("--json", command->json, "print one JSON object instead of text");
     sub->add_flag("--quiet", command->quiet, "print nothing but errors");

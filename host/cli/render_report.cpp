@@ -7,6 +7,18 @@
 
 namespace hyalite::cli {
 
+namespace {
+
+nlohmann::ordered_json colorOf(const glm::dvec3& c) {
+    return {c.x, c.y, c.z};
+}
+
+double mean(const glm::dvec3& c) {
+    return (c.x + c.y + c.z) / 3;
+}
+
+} // namespace
+
 std::string jsonReport(const RenderReport& report) {
     nlohmann::ordered_json object;
     object["version"] = HYALITE_VERSION;
@@ -24,8 +36,19 @@ std::string jsonReport(const RenderReport& report) {
                             {"shadow_rays", report.counts->shadowRays},
                             {"photon_rays", report.counts->photonRays},
                             {"photons_emitted", report.counts->photonsEmitted},
-                            {"photons_stored", report.counts->photonsStored}};
+                            {"photons_stored", report.counts->photonsStored},
+                            {"shadow_rays_saved", report.counts->shadowRaysSaved},
+                            {"caustic_photons_emitted", report.counts->causticPhotonsEmitted},
+                            {"caustic_photons_stored", report.counts->causticPhotonsStored}};
     }
+    for (const render::LightBalance& light : report.notes.lights) {
+        object["lights"].push_back({{"emitted", colorOf(light.emitted)},
+                                    {"stored", colorOf(light.stored)},
+                                    {"absorbed", colorOf(light.absorbed)},
+                                    {"escaped", colorOf(light.escaped)},
+                                    {"cut_off", colorOf(light.cutOff)}});
+    }
+    object["warnings"] = report.notes.warnings;
     for (const auto& [name, time] : report.stages) {
         object["stages"][name] = {
             {"seconds", time.seconds}, {"dispatches", time.dispatches}, {"threads", time.threads}};
@@ -53,6 +76,33 @@ std::string stageTable(const RenderReport& report) {
     table << std::left << std::setw(24) << "all stages" << std::right << std::setw(10) << std::setprecision(3) << total
           << std::setw(7) << std::setprecision(1) << 100 * total / std::max(report.renderSeconds, 1e-9)
           << " % of the time between the first pass and the last\n";
+    return table.str();
+}
+
+std::string photonTable(const RenderReport& report) {
+    if (report.notes.lights.empty() || !report.counts) {
+        return {};
+    }
+    std::ostringstream table;
+    table << std::fixed << std::setprecision(4) << "light, mean of channels [W]     emitted      stored    absorbed"
+          << "     escaped     cut off\n";
+    for (std::size_t i = 0; i < report.notes.lights.size(); ++i) {
+        const render::LightBalance& light = report.notes.lights[i];
+        table << std::left << std::setw(27) << i << std::right;
+        for (const glm::dvec3& flux : {light.emitted, light.stored, light.absorbed, light.escaped, light.cutOff}) {
+            table << std::setw(12) << mean(flux);
+        }
+        table << '\n';
+    }
+    const render::Counts& counts = *report.counts;
+    const auto share = [&](const char* text, std::uint64_t part, std::uint64_t whole) {
+        if (whole > 0) {
+            table << text << ": " << part << " of " << whole << ", " << std::setprecision(1)
+                  << 100 * static_cast<double>(part) / static_cast<double>(whole) << " %\n";
+        }
+    };
+    share("caustic photons stored", counts.causticPhotonsStored, counts.causticPhotonsEmitted);
+    share("shadow rays saved", counts.shadowRaysSaved, counts.shadowRaysSaved + counts.shadowRays);
     return table.str();
 }
 

@@ -22,6 +22,7 @@ struct RenderReport {
     double setupSeconds = 0;
     double renderSeconds = 0;
     std::optional<render::Counts> counts; // the reference does not count
+    render::RenderNotes notes;
     std::map<std::string, gpu::StageTime> stages;
 };
 
@@ -29,5 +30,8 @@ struct RenderReport {
 
 // Stages by falling share: seconds, share of all stages, dispatches, nanoseconds a thread.
 [[nodiscard]] std::string stageTable(const RenderReport& report);
+
+// What became of the flux of each light [W], and what the photon maps saved; empty where no account was kept.
+[[nodiscard]] std::string photonTable(const RenderReport& report);
 
 } // namespace hyalite::cli

@@ -1,6 +1,8 @@
 // One file a kernel: a header with sizes and checksum, then the SPIR-V words.
 #include "gpu/spirv_cache.h"
 
+#include "base/fnv.h"
+
 #include <array>
 #include <atomic>
 #include <cstdio>
@@ -23,14 +25,6 @@ struct Header {
     std::uint64_t checksum = 0;
 };
 
-// FNV-1a, 64 bits.
-std::uint64_t fnv(std::span<const char> bytes, std::uint64_t state = 0xcbf29ce484222325U) {
-    for (const char byte : bytes) {
-        state = (state ^ static_cast<unsigned char>(byte)) * 0x100000001b3U;
-    }
-    return state;
-}
-
 std::span<const char> asChars(const SpirV& spirv) {
     return {reinterpret_cast<const char*>(spirv.data()), spirv.size() * sizeof(SpirV::value_type)};
 }
@@ -45,9 +39,10 @@ fs::path temporaryName(const fs::path& file) {
 
 std::string SpirvCache::key(std::string_view source) {
     // Two states, 128 bits: by chance no two sources ever share a name.
+    const auto bytes = std::as_bytes(std::span(source));
     std::array<char, 33> text{};
-    std::snprintf(text.data(), text.size(), "%016llx%016llx", static_cast<unsigned long long>(fnv(source)),
-                  static_cast<unsigned long long>(fnv(source, 0x9e3779b97f4a7c15U)));
+    std::snprintf(text.data(), text.size(), "%016llx%016llx", static_cast<unsigned long long>(fnv(bytes)),
+                  static_cast<unsigned long long>(fnv(bytes, 0x9e3779b97f4a7c15U)));
     return text.data();
 }
 
@@ -67,7 +62,7 @@ std::optional<SpirV> SpirvCache::load(const std::string& key) const {
     std::copy_n(bytes.data() + sizeof(Header), spirv.size() * sizeof(SpirV::value_type),
                 reinterpret_cast<char*>(spirv.data()));
     const bool sound = header.magic == Header().magic && payload == header.words * sizeof(SpirV::value_type) &&
-                       header.checksum == fnv(asChars(spirv)) && !spirv.empty() && spirv[0] == kSpirvMagic;
+                       header.checksum == fnv(std::as_bytes(std::span(spirv))) && !spirv.empty() && spirv[0] == kSpirvMagic;
     return sound ? std::optional(std::move(spirv)) : std::nullopt;
 }
 
@@ -79,7 +74,7 @@ void SpirvCache::store(const std::string& key, const SpirV& spirv) const {
     fs::create_directories(folder_, error);
     const fs::path file = folder_ / (key + ".spv");
     const fs::path temporary = temporaryName(file);
-    const Header header{.words = spirv.size(), .checksum = fnv(asChars(spirv))};
+    const Header header{.words = spirv.size(), .checksum = fnv(std::as_bytes(std::span(spirv)))};
     std::ofstream stream(temporary, std::ios::binary);
     stream.write(reinterpret_cast<const char*>(&header), sizeof(header));
     stream.write(asChars(spirv).data(), std::streamsize(asChars(spirv).size()));

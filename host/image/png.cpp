@@ -85,12 +85,13 @@ void checkSize(std::span<const std::byte> file, const std::string& fileName) {
 
 // The picture from decoded samples of either depth; `scale` is the largest sample.
 template <typename Sample>
-Image toLinear(const Sample* samples, int width, int height, double scale) {
+Image toLinear(const Sample* samples, int width, int height, double scale, Encoding encoding) {
     Image image(width, height);
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         for (std::size_t channel = 0; channel < 3; ++channel) {
             const double stored = static_cast<double>(samples[3 * i + channel]) / scale;
-            image.pixels[i][static_cast<int>(channel)] = static_cast<float>(linearFromSrgb(stored));
+            image.pixels[i][static_cast<int>(channel)] =
+                static_cast<float>(encoding == Encoding::Srgb ? linearFromSrgb(stored) : stored);
         }
     }
     return image;
@@ -126,6 +127,10 @@ std::vector<std::byte> encodePng(const Image& image) {
 }
 
 Image decodePng(std::span<const std::byte> file, const std::string& fileName) {
+    return decodePng(file, fileName, Encoding::Srgb);
+}
+
+Image decodePng(std::span<const std::byte> file, const std::string& fileName, Encoding encoding) {
     if (!std::in_range<int>(file.size())) {
         throw Error(ExitCode::BadInput, SourceLocation{fileName}, "the file is larger than 2 GiB");
     }
@@ -141,13 +146,13 @@ Image decodePng(std::span<const std::byte> file, const std::string& fileName) {
         const std::unique_ptr<::stbi_us, decltype(release)> samples(
             ::stbi_load_16_from_memory(asUnsigned(file), size, &width, &height, &channels, 3), release);
         if (samples != nullptr) {
-            return toLinear(samples.get(), width, height, 65535.0);
+            return toLinear(samples.get(), width, height, 65535.0, encoding);
         }
     } else {
         const std::unique_ptr<::stbi_uc, decltype(release)> samples(
             ::stbi_load_from_memory(asUnsigned(file), size, &width, &height, &channels, 3), release);
         if (samples != nullptr) {
-            return toLinear(samples.get(), width, height, 255.0);
+            return toLinear(samples.get(), width, height, 255.0, encoding);
         }
     }
     throwBad(fileName, ::stbi_failure_reason());

@@ -15,7 +15,11 @@ namespace hyalite {
 // 8 bits a channel, sRGB; the image must be finite and within the size limits of image_io.h.
 [[nodiscard]] std::vector<std::byte> encodePng(const Image& image);
 
-// Throws Error(BadInput) that names `fileName`.
+// What the numbers of the file stand for: light by the transfer function of sRGB, or shares of 1 as they are.
+enum class Encoding { Srgb, Linear };
+
+// Throw Error(BadInput) that names `fileName`; without an encoding: sRGB.
 [[nodiscard]] Image decodePng(std::span<const std::byte> file, const std::string& fileName);
+[[nodiscard]] Image decodePng(std::span<const std::byte> file, const std::string& fileName, Encoding encoding);
 
 } // namespace hyalite

@@ -25,7 +25,9 @@ CameraFrame makeCameraFrame(const Camera& camera, const std::string& sceneFile) 
             .right = right * (tangent * aspect),
             .up = glm::cross(right, forward) * tangent,
             .width = camera.resolution.x,
-            .height = camera.resolution.y};
+            .height = camera.resolution.y,
+            .lensRadius = camera.aperture / 2,
+            .focusDistance = camera.focusDistance > 0 ? camera.focusDistance : glm::length(view)};
 }
 
 Ray generateCameraRay(const World& world, std::uint32_t pixel, std::uint32_t pass) {
@@ -36,8 +38,16 @@ Ray generateCameraRay(const World& world, std::uint32_t pixel, std::uint32_t pas
     const std::uint32_t y = pixel / camera.width;
     const double sx = 2 * (x + uv.x) / camera.width - 1;
     const double sy = 1 - 2 * (y + uv.y) / camera.height;
-    return {.origin = camera.position,
-            .direction = glm::normalize(camera.forward + sx * camera.right + sy * camera.up)};
+    const glm::dvec3 through = camera.forward + sx * camera.right + sy * camera.up;
+    if (camera.lensRadius == 0) {
+        return {.origin = camera.position, .direction = glm::normalize(through)};
+    }
+    // All rays through the lens that the image point stands for meet where the one through its middle is in focus.
+    const glm::dvec3 inFocus = camera.position + camera.focusDistance * through;
+    const glm::dvec2 disc = concentricDisc(sampleUnitSquare(sampler, shared::kCameraLens));
+    const glm::dvec3 origin = camera.position + camera.lensRadius * disc.x * glm::normalize(camera.right) +
+                              camera.lensRadius * disc.y * glm::normalize(camera.up);
+    return {.origin = origin, .direction = glm::normalize(inFocus - origin)};
 }
 
 } // namespace hyalite::reference

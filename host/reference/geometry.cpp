@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace hyalite::reference {
 
@@ -49,7 +50,14 @@ SurfacePoint pointOfSpan(const dvec3& corner, const dvec3& edge0, const dvec3& e
     return {.position = corner + hit.u * edge0 + hit.v * edge1,
             .geometricNormal = normal,
             .normal = normal,
-            .offset = surfaceOffset(glm::length(corner) + glm::length(edge0) + glm::length(edge1))};
+            .offset = surfaceOffset(glm::length(corner) + glm::length(edge0) + glm::length(edge1)),
+            .uv = {hit.u, hit.v}};
+}
+
+// Longitude and latitude: u = 1/2 faces +z and grows towards +x, v goes from the south pole (-y) to the north pole.
+glm::dvec2 globeCoordinates(const dvec3& normal) {
+    using std::numbers::pi;
+    return {0.5 + std::atan2(normal.x, normal.z) / (2 * pi), 0.5 + std::asin(std::clamp(normal.y, -1.0, 1.0)) / pi};
 }
 
 } // namespace
@@ -82,7 +90,8 @@ SurfacePoint surfaceAt(const Sphere& sphere, const Ray& ray, const ShapeHit& hit
     return {.position = sphere.center + sphere.radius * normal,
             .geometricNormal = normal,
             .normal = normal,
-            .offset = surfaceOffset(glm::length(sphere.center) + sphere.radius)};
+            .offset = surfaceOffset(glm::length(sphere.center) + sphere.radius),
+            .uv = globeCoordinates(normal)};
 }
 
 std::optional<ShapeHit> intersectPlane(const Ray& ray, const Plane& plane) {
@@ -134,7 +143,9 @@ std::optional<ShapeHit> intersectDisk(const Ray& ray, const Disk& disk) {
 }
 
 SurfacePoint surfaceAt(const Disk& disk, const Ray& /*ray*/, const ShapeHit& hit) {
-    return pointOfSpan(disk.center, disk.axis0, disk.axis1, hit);
+    SurfacePoint point = pointOfSpan(disk.center, disk.axis0, disk.axis1, hit);
+    point.uv = (point.uv + 1.0) / 2.0; // of the square around it
+    return point;
 }
 
 } // namespace hyalite::reference

@@ -94,6 +94,11 @@ SurfacePoint surfaceAt(const Instance& instance, const Ray& ray, const ShapeHit&
     const std::array<glm::dvec3, 3> corners = instance.tree->triangle(hit.part).corners;
     const double w = 1 - hit.u - hit.v;
     SurfacePoint point{};
+    if (!mesh.uvs.empty()) {
+        const glm::uvec3& at = mesh.triangles[hit.part];
+        point.uv =
+            w * glm::dvec2(mesh.uvs[at.x]) + hit.u * glm::dvec2(mesh.uvs[at.y]) + hit.v * glm::dvec2(mesh.uvs[at.z]);
+    }
     point.position = instance.map.pointToWorld(w * corners[0] + hit.u * corners[1] + hit.v * corners[2]);
     const glm::dvec3 area = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     if (area == glm::dvec3(0)) { // only rounding makes it visible: it closes a gap between its neighbours

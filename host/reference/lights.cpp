@@ -19,130 +19,202 @@ double channelMean(const glm::dvec3& c) {
     return (c.x + c.y + c.z) / 3;
 }
 
-// A point of a light's surface with its normal on the emitting side, and how far a ray starts from it.
-struct LightPoint {
-    glm::dvec3 position;
-    glm::dvec3 normal;
-    double offset = 0;
-
-    [[nodiscard]] glm::dvec3 moved() const { return position + offset * normal; }
+template <class... F>
+struct Overloaded : F... {
+    using F::operator()...;
 };
 
-LightPoint pointOn(const Quad& quad, glm::dvec2 uv) {
-    return {.position = pointOnQuad(uv, quad),
-            .normal = glm::normalize(glm::cross(quad.edge0, quad.edge1)),
-            .offset = surfaceOffset(glm::length(quad.corner) + glm::length(quad.edge0) + glm::length(quad.edge1))};
-}
-LightPoint pointOn(const Disk& disk, glm::dvec2 uv) {
-    const glm::dvec2 at = concentricDisc(uv);
-    return {.position = disk.center + at.x * disk.axis0 + at.y * disk.axis1,
-            .normal = glm::normalize(glm::cross(disk.axis0, disk.axis1)),
-            .offset = surfaceOffset(glm::length(disk.center) + glm::length(disk.axis0) + glm::length(disk.axis1))};
-}
-LightPoint pointOn(const Sphere& sphere, glm::dvec2 uv) {
-    const glm::dvec3 normal = uniformSphere(uv);
-    return {.position = sphere.center + sphere.radius * normal,
-            .normal = normal,
-            .offset = surfaceOffset(glm::length(sphere.center) + sphere.radius)};
-}
+// ---- Spots: their profile s(c) over the cosine c with the axis is 1 above the inner cosine, 0 below the outer one,
+// and t^2 (3 - 2 t) between, with t = (c - outer) / (inner - outer).
 
-// Evenly distributed over the area.
-LightPoint pointOn(const AreaLight& light, glm::dvec2 uv) {
-    return std::visit([&](const auto& shape) { return pointOn(shape, uv); }, light.shape);
-}
+struct Cone {
+    double inner; // cosines
+    double outer;
 
-double areaOf(const Quad& quad) {
-    return glm::length(glm::cross(quad.edge0, quad.edge1));
-}
-double areaOf(const Disk& disk) {
-    return pi * glm::length(glm::cross(disk.axis0, disk.axis1));
-}
-double areaOf(const Sphere& sphere) {
-    return 4 * pi * sphere.radius * sphere.radius;
-}
+    explicit Cone(const SpotLight& spot)
+        : inner(std::cos(spot.angle * (1 - spot.blend) * pi / 180)), outer(std::cos(spot.angle * pi / 180)) {}
 
-template <class S>
-Light makeAreaLight(const S& shape, const glm::dvec3& radiance) {
-    const double area = areaOf(shape);
-    return {.shape = AreaLight{.shape = shape, .area = area, .radiance = radiance}, .power = pi * area * radiance};
-}
+    // The integral of t^2 (3 - 2 t) over t is 1/2: s integrates over c to this.
+    [[nodiscard]] double integral() const { return (1 - inner) + (inner - outer) / 2; }
 
-Light makeAreaLight(const Object& object) {
-    if (const auto* quad = std::get_if<Quad>(&object.shape)) {
-        return makeAreaLight(*quad, object.emission);
+    [[nodiscard]] double profile(double c) const {
+        if (c >= inner) {
+            return 1;
+        }
+        if (c <= outer) {
+            return 0;
+        }
+        const double t = (c - outer) / (inner - outer);
+        return t * t * (3 - 2 * t);
     }
-    if (const auto* disk = std::get_if<Disk>(&object.shape)) {
-        return makeAreaLight(*disk, object.emission);
+
+    // The cosine above which s has the share x of its integral; between the cones by bisection.
+    [[nodiscard]] double quantile(double x) const {
+        const double above = x * integral();
+        if (above <= 1 - inner) {
+            return 1 - above;
+        }
+        const double share = 1 - (above - (1 - inner)) / ((inner - outer) / 2); // of the falling part, below c
+        double low = 0;
+        double high = 1;
+        for (int i = 0; i < 60; ++i) {
+            const double t = (low + high) / 2;
+            (2 * t * t * t - t * t * t * t < share ? low : high) = t; // the integral of 2 t^2 (3 - 2 t)
+        }
+        return outer + low * (inner - outer);
     }
-    if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
-        return makeAreaLight(*sphere, object.emission);
-    }
-    throw Error(ExitCode::BadInput, object.where, "only quads, disks and spheres emit light",
-                "give the emission to one of these");
+};
+
+glm::dvec3 sampleSpot(const SpotLight& spot, glm::dvec2 uv) {
+    const double cosine = Cone(spot).quantile(uv.x);
+    const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+    const double phi = 2 * pi * uv.y;
+    const Basis basis = orthonormalBasis(spot.direction);
+    return sine * std::cos(phi) * basis.tangent + sine * std::sin(phi) * basis.bitangent + cosine * spot.direction;
 }
 
-// What a light offers a receiver: a point, and the intensity that it sends there in place of a point light's I.
+// ---- Light from discs
+
+// Across the light, whichever way that goes.
+struct Disc {
+    glm::dvec3 center; // [m]
+    double radius;     // [m]
+
+    [[nodiscard]] double area() const { return pi * radius * radius; }
+    [[nodiscard]] bool isPassed(const glm::dvec3& point, const glm::dvec3& direction) const {
+        return glm::length(glm::cross(point - center, direction)) <= radius;
+    }
+    [[nodiscard]] glm::dvec3 point(const glm::dvec3& direction, glm::dvec2 uv) const {
+        const glm::dvec2 at = radius * concentricDisc(uv);
+        const Basis basis = orthonormalBasis(direction);
+        return center + at.x * basis.tangent + at.y * basis.bitangent;
+    }
+};
+
+std::optional<Disc> discOf(const Light& light) {
+    if (const auto* parallel = std::get_if<ParallelLight>(&light.shape)) {
+        return Disc{parallel->center, parallel->radius};
+    }
+    if (const auto* surrounding = std::get_if<SurroundingLight>(&light.shape)) {
+        return Disc{surrounding->sphere.center, surrounding->sphere.radius};
+    }
+    return std::nullopt;
+}
+
+ParallelLight makeParallel(const DirectionalLight& light, const LightSphere& sphere) {
+    ParallelLight parallel{.direction = light.direction, .irradiance = light.irradiance};
+    if (light.beam) {
+        parallel.center = light.beam->center;
+        parallel.radius = light.beam->radius;
+    } else {
+        parallel.isEverywhere = true;
+        parallel.center = sphere.center - sphere.distance * light.direction;
+        parallel.radius = sphere.radius;
+    }
+    return parallel;
+}
+
+// ---- What a light offers a receiver: the way to it, and the irradiance of a surface that faces that way, the density
+// of the choice divided out.
 struct Offer {
-    glm::dvec3 position;
+    glm::dvec3 way; // to a place on the light [m]; kBeyond long where there is none
     glm::dvec3 shadowEnd;
-    glm::dvec3 intensity;
-    double pdfW = 0; // see lightPdfW
+    glm::dvec3 irradiance{0};
+    double pdfW = 0; // 0: no choice
 };
 
-// Of a sphere only the half that faces the receiver is sampled.
-double sampledArea(const AreaLight& light) {
-    return std::holds_alternative<Sphere>(light.shape) ? light.area / 2 : light.area;
+Offer offerFrom(const glm::dvec3& place, const glm::dvec3& receiver, const glm::dvec3& intensity) {
+    const glm::dvec3 way = place - receiver;
+    return {.way = way, .shadowEnd = place, .irradiance = intensity / glm::dot(way, way)};
 }
 
-Offer offerTo(const glm::dvec3& /*receiver*/, const PointLight& light, glm::dvec2 /*uv*/) {
-    return {.position = light.position, .shadowEnd = light.position, .intensity = light.intensity};
+Offer offerTo(const glm::dvec3& receiver, const PointLight& light, glm::dvec2 /*uv*/) {
+    return offerFrom(light.position, receiver, light.intensity);
+}
+
+Offer offerTo(const glm::dvec3& receiver, const SpotLight& light, glm::dvec2 /*uv*/) {
+    const double cosine = glm::dot(light.direction, glm::normalize(receiver - light.position));
+    return offerFrom(light.position, receiver, light.intensity * Cone(light).profile(cosine));
+}
+
+Offer offerTo(const glm::dvec3& receiver, const ParallelLight& light, glm::dvec2 /*uv*/) {
+    const double along = glm::dot(receiver - light.center, light.direction);
+    const double distance = light.isEverywhere ? kBeyond : along;
+    const bool isLit =
+        light.isEverywhere || (along > 0 && Disc{light.center, light.radius}.isPassed(receiver, light.direction));
+    const glm::dvec3 way = -distance * light.direction;
+    return {.way = way, .shadowEnd = receiver + way, .irradiance = isLit ? light.irradiance : glm::dvec3(0)};
+}
+
+Offer offerTo(const glm::dvec3& receiver, const SurroundingLight& light, glm::dvec2 uv) {
+    const glm::dvec3 direction = light.map.sample(uv);
+    const double pdfW = light.map.pdfW(direction);
+    const glm::dvec3 way = kBeyond * direction;
+    return {.way = way,
+            .shadowEnd = receiver + way,
+            .irradiance = pdfW > 0 ? light.map.radiance(direction) / pdfW : glm::dvec3(0),
+            .pdfW = pdfW};
 }
 
 // An area sends Le cos(l) per area, and 1 / A is the density of the point.
 Offer offerTo(const glm::dvec3& receiver, const AreaLight& light, glm::dvec2 uv) {
-    LightPoint y = pointOn(light, uv);
-    if (const auto* sphere = std::get_if<Sphere>(&light.shape)) {
-        if (glm::dot(y.normal, receiver - sphere->center) < 0) {
-            y.normal = -y.normal;
-            y.position = sphere->center + sphere->radius * y.normal;
-        }
-    }
-    const double distance = glm::length(receiver - y.position);
-    const glm::dvec3 fromLight = (receiver - y.position) / distance;
-    const double cosLight = std::max(0.0, glm::dot(y.normal, fromLight));
-    return {.position = y.position,
-            .shadowEnd = y.moved(),
-            .intensity = light.radiance * (cosLight * sampledArea(light)),
-            .pdfW = cosLight > 0 ? lightPdfW(light, y.normal, fromLight, distance) : 0};
+    const LightPoint y = pointFacing(light, receiver, uv);
+    const double cosLight = glm::dot(y.normal, glm::normalize(receiver - y.position));
+    Offer offer = offerFrom(y.position, receiver, light.radiance * (std::max(cosLight, 0.0) * areaFacing(light)));
+    offer.shadowEnd = y.moved();
+    offer.pdfW = cosLight > 0 ? glm::dot(offer.way, offer.way) / (cosLight * areaFacing(light)) : 0;
+    return offer;
 }
 
-} // namespace
-
-std::vector<Light> makeLights(const Scene& scene) {
-    std::vector<Light> lights;
-    for (const PointLight& point : scene.lights) {
-        lights.push_back({.shape = point, .power = 4 * pi * point.intensity});
-    }
-    for (const Object& object : scene.objects) {
-        if (object.emission == glm::dvec3(0)) {
-            continue;
-        }
-        lights.push_back(makeAreaLight(object));
-        lights.back().object = static_cast<std::uint32_t>(&object - scene.objects.data());
-    }
+void setProbabilities(std::vector<Light>& lights) {
     double total = 0;
     for (const Light& light : lights) {
-        total += channelMean(light.power);
+        total += channelMean(light.power) * light.share;
     }
     double cdf = 0;
     for (Light& light : lights) {
-        light.pmf = total > 0 ? channelMean(light.power) / total : 0;
+        light.pmf = total > 0 ? channelMean(light.power) * light.share / total : 0;
         cdf += light.pmf;
         light.cdf = cdf;
     }
     if (!lights.empty()) {
         lights.back().cdf = 1; // not a rounding error less
     }
+}
+
+} // namespace
+
+std::vector<Light> makeLights(const Scene& scene) {
+    std::vector<Light> lights;
+    const LightSphere sphere = lightSphere(scene);
+    if (scene.environment) {
+        SurroundingLight surrounding{.map = EnvironmentLight(*scene.environment), .sphere = sphere};
+        const glm::dvec3 power = pi * sphere.radius * sphere.radius * surrounding.map.integral();
+        lights.push_back({.shape = std::move(surrounding), .power = power, .share = scene.environment->photonShare});
+    }
+    for (const PointLight& point : scene.lights) {
+        lights.push_back({.shape = point, .power = 4 * pi * point.intensity, .share = point.photonShare});
+    }
+    for (const SpotLight& spot : scene.spots) {
+        const glm::dvec3 power = 2 * pi * Cone(spot).integral() * spot.intensity;
+        lights.push_back({.shape = spot, .power = power, .share = spot.photonShare});
+    }
+    for (const DirectionalLight& light : scene.directionals) {
+        const ParallelLight parallel = makeParallel(light, sphere);
+        const glm::dvec3 power = pi * parallel.radius * parallel.radius * light.irradiance;
+        lights.push_back({.shape = parallel, .power = power, .share = light.photonShare});
+    }
+    for (const Object& object : scene.objects) {
+        if (object.emission != glm::dvec3(0)) {
+            AreaLight area = makeAreaLight(scene, object);
+            const glm::dvec3 power = pi * area.area * area.radiance;
+            lights.push_back({.shape = std::move(area),
+                              .power = power,
+                              .share = object.photonShare,
+                              .object = static_cast<std::uint32_t>(&object - scene.objects.data())});
+        }
+    }
+    setProbabilities(lights);
     return lights;
 }
 
@@ -152,10 +224,6 @@ std::uint32_t chooseLight(const std::vector<Light>& lights, double x) {
         ++light;
     }
     return light;
-}
-
-double lightPdfW(const AreaLight& light, const glm::dvec3& normal, const glm::dvec3& fromLight, double distance) {
-    return distance * distance / (glm::dot(normal, fromLight) * sampledArea(light));
 }
 
 LightArrival sampleArrival(const World& world, const glm::dvec3& receiver, const LightChoice& choice) {
@@ -171,12 +239,11 @@ LightArrival sampleArrival(const World& world, const glm::dvec3& receiver, const
         pmf = world.lights[light].pmf;
     }
     const glm::dvec2 uv = sampleUnitSquare(sampler, shared::cameraLightPoint(vertex));
-    const Offer offer =
-        std::visit([&](const auto& shape) { return offerTo(receiver, shape, uv); }, world.lights[light].shape);
-    const glm::dvec3 way = offer.position - receiver;
-    return {.position = offer.position,
+    const Light& chosen = world.lights[light];
+    const Offer offer = std::visit([&](const auto& shape) { return offerTo(receiver, shape, uv); }, chosen.shape);
+    return {.direction = glm::normalize(offer.way),
             .shadowEnd = offer.shadowEnd,
-            .irradiance = offer.intensity / (glm::dot(way, way) * pmf),
+            .irradiance = offer.irradiance / pmf,
             .pdfW = pmf * offer.pdfW};
 }
 
@@ -184,7 +251,7 @@ std::optional<LightSample> sampleLight(const World& world, const VisiblePoint& x
                                        std::optional<std::uint32_t> light) {
     const LightArrival arrival = sampleArrival(
         world, x.position, {.depth = x.depth, .samplerSeed = x.samplerSeed, .pass = pass, .light = light});
-    const double cosX = glm::dot(x.normal, glm::normalize(arrival.position - x.position));
+    const double cosX = glm::dot(x.normal, arrival.direction);
     if (!(cosX > 0 && channelMean(arrival.irradiance) > 0)) {
         return std::nullopt;
     }
@@ -193,20 +260,103 @@ std::optional<LightSample> sampleLight(const World& world, const VisiblePoint& x
         .from = x.shadowOrigin, .to = arrival.shadowEnd, .contribution = x.f * arrival.irradiance * (cosX * entering)};
 }
 
+glm::dvec3 environmentRadiance(const World& world, const glm::dvec3& direction) {
+    for (const Light& light : world.lights) {
+        if (const auto* surrounding = std::get_if<SurroundingLight>(&light.shape)) {
+            return surrounding->map.radiance(direction);
+        }
+    }
+    return glm::dvec3(0);
+}
+
+double lightPdf(const Light& light, const glm::dvec3& /*receiver*/, const glm::dvec3& direction, double distance,
+                const glm::dvec3& lightNormal) {
+    if (const auto* surrounding = std::get_if<SurroundingLight>(&light.shape)) {
+        return surrounding->map.pdfW(direction);
+    }
+    if (const auto* area = std::get_if<AreaLight>(&light.shape)) {
+        const double cosLight = -glm::dot(direction, lightNormal);
+        return cosLight > 0 ? distance * distance / (cosLight * areaFacing(*area)) : 0;
+    }
+    return 0;
+}
+
+LightRay emitFrom(const Light& light, glm::dvec2 uOrigin, glm::dvec2 uDirection) {
+    LightRay ray = std::visit(
+        Overloaded{
+            [&](const PointLight& point) {
+                return LightRay{.origin = point.position, .direction = uniformSphere(uDirection)};
+            },
+            [&](const SpotLight& spot) {
+                return LightRay{.origin = spot.position, .direction = sampleSpot(spot, uDirection)};
+            },
+            [&](const ParallelLight& parallel) {
+                const glm::dvec3& d = parallel.direction;
+                return LightRay{.origin = Disc{parallel.center, parallel.radius}.point(d, uOrigin), .direction = d};
+            },
+            [&](const SurroundingLight& surrounding) {
+                const LightSphere& sphere = surrounding.sphere;
+                const glm::dvec3 d = -surrounding.map.sample(uDirection);
+                const Disc disc{sphere.center - sphere.distance * d, sphere.radius};
+                return LightRay{.origin = disc.point(d, uOrigin), .direction = d};
+            },
+            [&](const AreaLight& area) {
+                const LightPoint point = pointOn(area, uOrigin);
+                return LightRay{.origin = point.moved(),
+                                .direction = cosineHemisphere(uDirection, point.normal),
+                                .normal = point.normal};
+            },
+        },
+        light.shape);
+    ray.power = rayPower(light, ray.direction);
+    if (const auto disc = discOf(light)) {
+        ray.pdfOrigin = 1 / disc->area();
+    } else {
+        ray.pdfDirection = emissionDensity(light, ray.normal, ray.direction);
+    }
+    return ray;
+}
+
+glm::dvec3 rayPower(const Light& light, const glm::dvec3& direction) {
+    const auto* surrounding = std::get_if<SurroundingLight>(&light.shape);
+    if (surrounding == nullptr) {
+        return light.power;
+    }
+    const double pdfW = surrounding->map.pdfW(-direction);
+    const double discArea = pi * surrounding->sphere.radius * surrounding->sphere.radius;
+    return pdfW > 0 ? surrounding->map.radiance(-direction) * (discArea / pdfW) : glm::dvec3(0);
+}
+
+double emissionDensity(const Light& light, const glm::dvec3& normal, const glm::dvec3& direction) {
+    return std::visit(Overloaded{
+                          [](const PointLight&) { return 1 / (4 * pi); },
+                          [&](const SpotLight& spot) {
+                              const Cone cone(spot);
+                              return cone.profile(glm::dot(spot.direction, direction)) / (2 * pi * cone.integral());
+                          },
+                          [](const ParallelLight&) { return 0.0; },
+                          [&](const SurroundingLight& surrounding) { return surrounding.map.pdfW(-direction); },
+                          [&](const AreaLight&) { return std::max(0.0, glm::dot(normal, direction)) / pi; },
+                      },
+                      light.shape);
+}
+
+double originDensity(const Light& light, const glm::dvec3& point, const glm::dvec3& direction) {
+    const auto disc = discOf(light);
+    return disc && disc->isPassed(point, direction) ? 1 / disc->area() : 0;
+}
+
 Emission emitPhoton(const World& world, std::uint32_t photon, const PhotonPass& pass) {
+    if (pass.aimed) {
+        return emitAimedPhoton(world, photon, pass);
+    }
     const shared::Sampler sampler = shared::photonSampler(pass.sequence, photon);
     const std::uint32_t index = chooseLight(world.lights, sampleUnitSquare(sampler, shared::kPhotonLight).x);
     const Light& light = world.lights[index];
-    const glm::dvec2 direction = sampleUnitSquare(sampler, shared::kPhotonDirection);
-    const glm::dvec3 power = light.power / (light.pmf * pass.count);
-    if (const auto* area = std::get_if<AreaLight>(&light.shape)) {
-        const LightPoint origin = pointOn(*area, sampleUnitSquare(sampler, shared::kPhotonOrigin));
-        return {.ray = {.origin = origin.moved(), .direction = cosineHemisphere(direction, origin.normal)},
-                .power = power,
-                .light = index};
-    }
-    return {.ray = {.origin = std::get<PointLight>(light.shape).position, .direction = uniformSphere(direction)},
-            .power = power,
+    const LightRay ray = emitFrom(light, sampleUnitSquare(sampler, shared::kPhotonOrigin),
+                                  sampleUnitSquare(sampler, shared::kPhotonDirection));
+    return {.ray = {.origin = ray.origin, .direction = ray.direction},
+            .power = ray.power / (light.pmf * pass.count),
             .light = index};
 }
 

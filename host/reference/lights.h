@@ -1,8 +1,11 @@
 // The lights of a scene: how likely each is picked, where light starts, and what arrives at a surface.
 #pragma once
 
+#include "reference/area_lights.h"
+#include "reference/environment.h"
 #include "reference/geometry.h"
 #include "reference/sampling.h"
+#include "scene/bounds.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -15,23 +18,34 @@ namespace hyalite::reference {
 struct World;
 struct PhotonPass;
 
-struct AreaLight {
-    std::variant<Quad, Disk, Sphere> shape; // emits on its front
-    double area = 0;                        // [m^2]
-    glm::dvec3 radiance;                    // [W/(m^2 sr)]
+// Light of one direction, from a disc across it.
+struct ParallelLight {
+    glm::dvec3 direction;      // unit, where the light goes
+    glm::dvec3 irradiance;     // of a surface that faces it [W/m^2]
+    bool isEverywhere = false; // lights what the disc does not cover too, and comes from beyond the scene
+    glm::dvec3 center{0};      // of the disc [m]
+    double radius = 0;         // of the disc [m]
+};
+
+// Light from beyond the scene, and the sphere that its photons are aimed at.
+struct SurroundingLight {
+    EnvironmentLight map;
+    LightSphere sphere;
 };
 
 struct Light {
-    std::variant<PointLight, AreaLight> shape;
-    glm::dvec3 power;                                   // flux [W]: 4 pi I of a point, pi A L of an area
-    double pmf = 0;                                     // probability that a photon or a shadow ray picks this light
-    double cdf = 0;                                     // sum of the pmf up to and including this light; 1 for the last
+    std::variant<PointLight, SpotLight, ParallelLight, SurroundingLight, AreaLight> shape;
+    glm::dvec3 power; // flux [W]: 4 pi I of a point, pi A L of a surface; the others: see makeLights
+    double share = 1; // weight of the power in the pmf
+    double pmf = 0;   // probability that a photon or a shadow ray picks this light
+    double cdf = 0;   // sum of the pmf up to and including this light; 1 for the last
     std::optional<std::uint32_t> object = std::nullopt; // of the scene, that emits; none: no object does
 };
 
-// Points in the scene's order, then emitting objects in theirs; pmf in proportion to the mean of the flux's channels
-// (all 0 where nothing emits). Throws Error(BadInput) at an emitting object of another shape than quad, disk
-// and sphere.
+// The environment, points, spots and directional lights in the scene's order, then emitting objects in theirs; pmf in
+// proportion to the mean of the flux's channels times the share (all 0 where nothing emits). The flux of parallel light
+// is that through its disc, that of the environment what passes a disc across each direction as wide as lightSphere.
+// Throws Error(BadInput) at an emitting object of another shape than quad, disk, sphere and mesh.
 [[nodiscard]] std::vector<Light> makeLights(const Scene& scene);
 
 // The first light with x < cdf; x in [0, 1). Some light must emit.
@@ -49,8 +63,11 @@ struct VisiblePoint {
     bool coated = false; // f is to be multiplied by coatTransmission of the angle of incidence
 };
 
-// Which light is sampled, with which numbers: the light named, with a sequence of its own, or one picked in proportion
-// to power.
+// Ends of shadow rays to lights beyond the scene are so far away [m].
+inline constexpr double kBeyond = 1e30;
+
+// Which light is sampled, with which numbers: the light named, with a sequence of its own (whitted sums over all of
+// them), or one picked by the pmf (ppm).
 struct LightChoice {
     std::uint32_t depth = 0; // of the vertex that is lit
     std::uint32_t samplerSeed = 0;
@@ -58,19 +75,14 @@ struct LightChoice {
     std::optional<std::uint32_t> light = std::nullopt;
 };
 
-// What the chosen light sends to a receiver from the point that is chosen on it.
+// What the chosen light sends to a receiver from the place that is chosen on it.
 struct LightArrival {
-    glm::dvec3 position;   // of the point, world [m]
-    glm::dvec3 shadowEnd;  // the same, moved off the light
+    glm::dvec3 direction;  // unit, to that place
+    glm::dvec3 shadowEnd;  // the place, moved off the light [m]
     glm::dvec3 irradiance; // of a surface that faces it, density of the choice divided out [W/m^2]
-    double pdfW = 0;       // that density [1/sr]; 0: light comes from this one direction only
+    double pdfW = 0;       // that density, the light's pmf in it [1/sr]; 0: no ray can hit the light
 };
 [[nodiscard]] LightArrival sampleArrival(const World& world, const glm::dvec3& receiver, const LightChoice& choice);
-
-// Density [1/sr], once the light is chosen, of the direction to a point of it `distance` away [m] with this normal,
-// that sends light in the unit direction `fromLight`.
-[[nodiscard]] double lightPdfW(const AreaLight& light, const glm::dvec3& normal, const glm::dvec3& fromLight,
-                               double distance);
 
 // One shadow ray: its two ends, moved off their surfaces, and the radiance it brings if nothing stands between.
 struct LightSample {
@@ -79,10 +91,43 @@ struct LightSample {
     glm::dvec3 contribution; // [W/(m^2 sr)]
 };
 
-// Samples one light at a visible point in a pass: the light named, with a sequence of its own (whitted sums over all of
-// them), or one picked in proportion to power (ppm). None: the light cannot reach that side.
+// Samples one light, the one named or one picked, at a visible point in a pass. None: the light cannot reach that side.
 [[nodiscard]] std::optional<LightSample> sampleLight(const World& world, const VisiblePoint& x, std::uint32_t pass,
                                                      std::optional<std::uint32_t> light);
+
+// Radiance [W/(m^2 sr)] from the unit direction, of rays that hit nothing.
+[[nodiscard]] glm::dvec3 environmentRadiance(const World& world, const glm::dvec3& direction);
+
+// Density [1/sr] with which sampleLight chooses the unit `direction` from a receiver that sees the light there, at this
+// distance and with this normal (neither matters where it comes from beyond the scene); 0 where it chooses none, at
+// lights that no ray can hit. The light's pmf is not in it.
+[[nodiscard]] double lightPdf(const Light& light, const glm::dvec3& receiver, const glm::dvec3& direction,
+                              double distance, const glm::dvec3& lightNormal);
+
+// How a photon leaves a light. The density of the whole ray is that of the origin times that of the direction given the
+// origin; where light is parallel or comes from beyond the scene, of the direction times that of the origin.
+struct LightRay {
+    glm::dvec3 origin;       // world [m]
+    glm::dvec3 direction;    // unit
+    glm::dvec3 normal{0};    // unit, of the light at the origin; zero where it has no surface
+    glm::dvec3 power{0};     // flux [W] of the light if all its photons were like this one
+    double pdfDirection = 0; // [1/sr], given the origin; 0: the origin was chosen for the direction
+    double pdfOrigin = 0;    // [1/m^2] across the direction and given it; 0: the direction was chosen for the origin
+};
+
+// A ray of the light's photons, with a density in proportion to the flux.
+[[nodiscard]] LightRay emitFrom(const Light& light, glm::dvec2 uOrigin, glm::dvec2 uDirection);
+
+// Flux [W] of the light if all that it emits were like its rays in `direction`: on average over emitFrom, its power.
+[[nodiscard]] glm::dvec3 rayPower(const Light& light, const glm::dvec3& direction);
+
+// Density [1/sr] with which emitFrom would send `direction` from a point with this normal; 0 where it never would, and
+// for parallel light.
+[[nodiscard]] double emissionDensity(const Light& light, const glm::dvec3& normal, const glm::dvec3& direction);
+
+// Density [1/m^2], across `direction`, with which emitFrom starts its rays of this direction on the line through
+// `point`; 0 for lights that choose the origin first. Of parallel light the direction must be its own.
+[[nodiscard]] double originDensity(const Light& light, const glm::dvec3& point, const glm::dvec3& direction);
 
 struct Emission {
     Ray ray;
@@ -90,7 +135,7 @@ struct Emission {
     std::uint32_t light = 0;
 };
 
-// Emission of photon `photon` of a pass, from a light picked in proportion to power. Some light must emit.
+// Emission of photon `photon` of a pass, from a light picked by the pmf. Some light must emit.
 [[nodiscard]] Emission emitPhoton(const World& world, std::uint32_t photon, const PhotonPass& pass);
 
 } // namespace hyalite::reference

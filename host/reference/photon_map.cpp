@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <limits>
 #include <nanoflann.hpp>
 #include <numbers>
+#include <set>
 #include <utility>
 
 namespace hyalite::reference {
@@ -44,6 +47,40 @@ struct Candidates {
     void sort() { std::sort(indices.begin(), indices.end()); }
 };
 
+// Keeps the nearest of the photons that are accepted, in order.
+struct NearestCandidates {
+    using DistanceType = double;
+    using IndexType = std::uint32_t;
+
+    const glm::dvec3& x;
+    std::size_t count;
+    double reach2; // squared distance of the farthest that is of interest [m^2]
+    const std::vector<Photon>& photons;
+    const std::function<bool(const Photon&)>& accept;
+    std::set<std::pair<double, std::uint32_t>> found;
+
+    [[nodiscard]] std::size_t size() const { return found.size(); }
+    [[nodiscard]] static bool full() { return true; }
+    // The walk sums squared distances step by step and rounds, and does not look at what is just as far: let it look a
+    // little farther.
+    [[nodiscard]] double worstDist() const {
+        const double worst = found.size() < count ? reach2 : found.rbegin()->first;
+        return worst * (1 + 1e-12) + std::numeric_limits<double>::min();
+    }
+    bool addPoint(double /*distance2*/, std::uint32_t index) {
+        const glm::dvec3 way = photons[index].position - x;
+        const double distance2 = glm::dot(way, way);
+        if (distance2 <= reach2 && accept(photons[index])) {
+            found.emplace(distance2, index);
+            if (found.size() > count) {
+                found.erase(std::prev(found.end()));
+            }
+        }
+        return true;
+    }
+    void sort() {} // the set is
+};
+
 using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PhotonCloud>, PhotonCloud, 3,
                                                   std::uint32_t>;
 
@@ -79,6 +116,20 @@ std::vector<std::uint32_t> PhotonMap::near(const glm::dvec3& x, double radius) c
     });
     std::sort(indices.begin(), indices.end());
     return indices;
+}
+
+std::vector<PhotonMap::Neighbour> PhotonMap::nearest(const glm::dvec3& x, std::size_t count, double radius,
+                                                     const std::function<bool(const Photon&)>& accept) const {
+    NearestCandidates candidates{
+        .x = x, .count = count, .reach2 = radius * radius, .photons = photons(), .accept = accept, .found = {}};
+    if (count > 0) {
+        tree_->index.findNeighbors(candidates, &x.x, {});
+    }
+    std::vector<Neighbour> neighbours;
+    for (const auto& [distance2, index] : candidates.found) {
+        neighbours.push_back({distance2, index});
+    }
+    return neighbours;
 }
 
 glm::dvec3 gatherRadiance(const PhotonMap& map, const VisiblePoint& x, double radius, std::uint32_t maxDepth) {

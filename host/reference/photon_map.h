@@ -4,7 +4,9 @@
 #include "reference/lights.h"
 #include "reference/photons.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -23,6 +25,14 @@ public:
 
     // Indices of the photons with |p - x|^2 <= radius^2, ascending.
     [[nodiscard]] std::vector<std::uint32_t> near(const glm::dvec3& x, double radius) const;
+
+    struct Neighbour {
+        double distance2 = 0; // [m^2]
+        std::uint32_t index = 0;
+    };
+    // The `count` nearest of the accepted photons with |p - x|^2 <= radius^2, ascending by distance and index.
+    [[nodiscard]] std::vector<Neighbour> nearest(const glm::dvec3& x, std::size_t count, double radius,
+                                                 const std::function<bool(const Photon&)>& accept) const;
 
 private:
     struct Tree;

@@ -5,17 +5,15 @@
 #include "reference/bsdf.h"
 #include "reference/lights.h"
 #include "reference/materials.h"
+#include "reference/medium.h"
 #include "reference/sampling.h"
+#include "reference/texture.h"
 
 #include <algorithm>
 
 namespace hyalite::reference {
 
 namespace {
-
-std::uint32_t kindBit(PhotonKind kind) {
-    return 1U << static_cast<std::uint32_t>(kind);
-}
 
 bool isWanted(PhotonKind kind, const PhotonPass& pass) {
     return (pass.kinds & kindBit(kind)) != 0;
@@ -55,15 +53,18 @@ PhotonPass progressivePass(const World& world, std::uint32_t pass) {
             .kinds = kindBit(PhotonKind::Indirect) | kindBit(PhotonKind::Caustic)};
 }
 
-PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, const PhotonPath& path,
+PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, const PhotonPath& started,
                             std::uint32_t depth, const PhotonPass& pass) {
     const Surface surface = evaluateSurface(world, ray, hit);
+    PhotonPath path = started;
+    path.power *= transmittance(path.medium, hit.t);
     PhotonScatter scatter{.stored = {}, .next = {}, .path = path};
     if (surface.material == nullptr) {
         return scatter;
     }
-    const std::optional<DiffusePart> diffuse = diffusePart(surface.material->model);
-    const std::optional<Lobe> lobe = lobeOf(surface.material->model, surface.front);
+    const MaterialModel model = texturedModel(world, surface);
+    const std::optional<DiffusePart> diffuse = diffusePart(model);
+    const std::optional<Lobe> lobe = lobeOf(model, surface.front);
     if (diffuse && isWanted(path.kind, pass)) {
         scatter.stored = Photon{.position = surface.position,
                                 .direction = -ray.direction,
@@ -99,6 +100,9 @@ PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, 
     if (sample &&
         survives(sample->weight / (xy.y < probability ? probability : 1 - probability), xy.x, scatter.path.power)) {
         scatter.next = Ray{.origin = leave(surface, sample->direction), .direction = sample->direction};
+        if (sample->through) {
+            scatter.path.medium = surface.front ? surface.material : nullptr;
+        }
     }
     return scatter;
 }
@@ -116,6 +120,10 @@ std::vector<Photon> tracePhotons(const World& world, const PhotonPass& pass) {
                         pass, blocks[begin / kBlock]);
         }
     });
+    return joined(blocks);
+}
+
+std::vector<Photon> joined(const std::vector<std::vector<Photon>>& blocks) {
     std::vector<Photon> photons;
     for (const std::vector<Photon>& block : blocks) {
         photons.insert(photons.end(), block.begin(), block.end());

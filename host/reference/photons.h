@@ -23,6 +23,7 @@ struct PhotonPath {
     std::uint32_t photon = 0;             // number of the photon in its pass
     std::uint32_t light = 0;              // that emitted it
     PhotonKind kind = PhotonKind::Direct; // of the photon that it would leave on a diffuse surface
+    const Material* medium = nullptr;     // of the world: the dielectric that it runs in; nullptr: none
 };
 
 // The photons of one purpose and one pass.
@@ -30,7 +31,12 @@ struct PhotonPass {
     std::uint32_t sequence = 0; // see shared::photonSequence
     std::uint32_t count = 0;    // emitted
     std::uint32_t kinds = 0;    // bit PhotonKind is set for every kind that is stored; paths that can store no more end
+    bool aimed = false;         // emit only towards World::targets, see projection_map.h
 };
+
+[[nodiscard]] constexpr std::uint32_t kindBit(PhotonKind kind) {
+    return 1U << static_cast<std::uint32_t>(kind);
+}
 
 // Those of progressive photon mapping: all but the direct ones, which shadow rays stand for.
 [[nodiscard]] PhotonPass progressivePass(const World& world, std::uint32_t pass);
@@ -60,5 +66,8 @@ struct PhotonScatter {
 
 // All photons stored in a pass, ascending by (photon, depth).
 [[nodiscard]] std::vector<Photon> tracePhotons(const World& world, const PhotonPass& pass);
+
+// The lists one after the other.
+[[nodiscard]] std::vector<Photon> joined(const std::vector<std::vector<Photon>>& blocks);
 
 } // namespace hyalite::reference

@@ -11,7 +11,7 @@ namespace hyalite::reference {
 
 namespace {
 
-// One shadow ray to one light, picked in proportion to power: the paths that photons of depth 1 would stand for.
+// One shadow ray to one light, picked by the pmf: the paths that photons of depth 1 would stand for.
 glm::dvec3 directLight(const World& world, const VisiblePoint& x, std::uint32_t pass) {
     if (x.depth + 1 > world.render.maxDepth) {
         return glm::dvec3(0);
@@ -23,18 +23,14 @@ glm::dvec3 directLight(const World& world, const VisiblePoint& x, std::uint32_t 
 glm::dvec3 tracePath(const World& world, const PhotonMap& photons, double radius, const Ray& ray,
                      const CameraPath& path, std::uint32_t depth, std::uint32_t pass) {
     const std::optional<Hit> hit = traceClosest(world, ray);
-    if (!hit) {
-        return glm::dvec3(0);
-    }
-    const Shading shading = shadeSurface(world, ray, *hit, path, depth, pass);
+    const Shading shading = hit ? shadeSurface(world, ray, *hit, path, depth, pass) : shadeMiss(world, ray, path);
     glm::dvec3 L = shading.emitted;
     if (shading.visible) {
         L += directLight(world, *shading.visible, pass);
         L += gatherRadiance(photons, *shading.visible, radius, world.render.maxDepth);
     }
     if (shading.rough) {
-        const auto sample = sampleRoughLight(world, *shading.rough, pass, std::nullopt);
-        L += sample && traceShadow(world, sample->from, sample->to) ? sample->contribution : glm::dvec3(0);
+        L += directRoughLight(world, *shading.rough, pass);
     }
     for (const std::optional<NextRay>& next : shading.next) {
         if (next) {

@@ -45,6 +45,7 @@ struct SurfacePoint {
     glm::dvec3 geometricNormal; // unit
     glm::dvec3 normal;          // unit, for shading
     double offset = 0;          // distance [m] that a leaving ray starts from the surface
+    glm::dvec2 uv{0};           // for textures; (0, 0) where the shape has no coordinates
 };
 
 // Distance [m] that a ray's origin is moved along the normal, away from the surface it leaves. `scale` [m] bounds the

@@ -1,6 +1,8 @@
 // Picks the integrator.
 #include "reference/render.h"
 
+#include "reference/path.h"
+#include "reference/photon_mapping.h"
 #include "reference/ppm.h"
 #include "reference/whitted.h"
 
@@ -17,10 +19,14 @@ LayeredImage render(const Scene& scene, const RenderOptions& options) {
     switch (scene.render.integrator) {
     case Integrator::Whitted:
         return {.picture = renderWhitted(world, options), .layers = {}};
+    case Integrator::PhotonMap:
+        return renderPhotonMap(world, options);
+    case Integrator::Path:
+        return {.picture = renderPath(world, options), .layers = {}};
     case Integrator::Ppm:
-        return {.picture = renderPpm(world, options), .layers = {}};
+        break;
     }
-    throw Error(ExitCode::WrongUsage, "unknown integrator");
+    return {.picture = renderPpm(world, options), .layers = {}};
 }
 
 } // namespace hyalite::reference

@@ -27,4 +27,7 @@ struct RoughPoint {
 [[nodiscard]] std::optional<LightSample> sampleRoughLight(const World& world, const RoughPoint& x, std::uint32_t pass,
                                                           std::optional<std::uint32_t> light);
 
+// The light of one such sample, of a light picked, if nothing stands between.
+[[nodiscard]] glm::dvec3 directRoughLight(const World& world, const RoughPoint& x, std::uint32_t pass);
+
 } // namespace hyalite::reference

@@ -4,7 +4,9 @@
 
 #include "reference/bsdf.h"
 #include "reference/materials.h"
+#include "reference/medium.h"
 #include "reference/sampling.h"
+#include "reference/texture.h"
 
 #include <algorithm>
 #include <numbers>
@@ -14,8 +16,12 @@ namespace hyalite::reference {
 namespace {
 
 NextRay follow(const Surface& surface, const LobeSample& sample, const CameraPath& path, std::uint32_t samplerSeed) {
+    const Material* beyond = surface.front ? surface.material : nullptr; // glass is entered at its front
     return {.ray = {.origin = leave(surface, sample.direction), .direction = sample.direction},
-            .path = {.beta = path.beta * sample.weight, .samplerSeed = samplerSeed, .pdfW = sample.pdfW}};
+            .path = {.beta = path.beta * sample.weight,
+                     .samplerSeed = samplerSeed,
+                     .medium = sample.through ? beyond : path.medium,
+                     .pdfW = sample.pdfW}};
 }
 
 // Both ways of a camera path at smooth glass: [0] reflected with weight F, [1] refracted with (1 - F) (n_i / n_t)^2.
@@ -26,8 +32,8 @@ std::array<std::optional<NextRay>, 2> splitAtDielectric(const Surface& surface, 
     next[0] = follow(surface, {.direction = reflect(direction, surface.normal), .weight = glm::dvec3(F)}, path,
                      shared::hashCombine(path.samplerSeed, 1));
     if (const auto refracted = refract(direction, surface.normal, eta)) {
-        next[1] = follow(surface, {.direction = *refracted, .weight = glm::dvec3((1 - F) * eta * eta)}, path,
-                         shared::hashCombine(path.samplerSeed, 2));
+        next[1] = follow(surface, {.direction = *refracted, .weight = glm::dvec3((1 - F) * eta * eta), .through = true},
+                         path, shared::hashCombine(path.samplerSeed, 2));
     }
     return next;
 }
@@ -40,17 +46,15 @@ void dropLightweights(std::array<std::optional<NextRay>, 2>& next, double minWei
     }
 }
 
-// Light that a path finds that has left a rough surface by chance: the lights were sampled there too.
-double emissionWeight(const World& world, const Surface& surface, const Ray& ray, const Hit& hit,
-                      const CameraPath& path) {
-    const auto light =
-        std::ranges::find_if(world.lights, [&](const Light& candidate) { return candidate.object == hit.object; });
-    if (path.pdfW == 0 || light == world.lights.end()) {
+// Weight of the light that a path finds by chance. Where it has left a rough surface, the lights were sampled there too;
+// the normal is the light's where the ray meets it, `distance` away [m].
+double emissionWeight(const World& world, const Light& light, const CameraPath& path, const Ray& ray, double distance,
+                      const glm::dvec3& normal) {
+    if (path.pdfW == 0) {
         return 1;
     }
-    const double pmf = world.render.integrator == Integrator::Whitted ? 1 : light->pmf;
-    const auto& area = std::get<AreaLight>(light->shape);
-    return powerHeuristic(path.pdfW, pmf * lightPdfW(area, surface.geometricNormal, -ray.direction, hit.t));
+    const double pmf = world.render.integrator == Integrator::Whitted ? 1 : light.pmf;
+    return powerHeuristic(path.pdfW, pmf * lightPdf(light, ray.origin, ray.direction, distance, normal));
 }
 
 // Leaves by the lobe; `path` has the probability of that divided out.
@@ -88,20 +92,39 @@ VisiblePoint visibleAt(const Surface& surface, const DiffusePart& diffuse, const
 } // namespace
 
 CameraPath beginCameraPath(const World& world, std::uint32_t pixel, std::uint32_t pass) {
-    return {.beta = glm::dvec3(1), .samplerSeed = shared::cameraSampler(world.render.seed, pass, pixel).seed};
+    return {.beta = glm::dvec3(1),
+            .samplerSeed = shared::cameraSampler(world.render.seed, pass, pixel).seed,
+            .medium = nullptr};
 }
 
-Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const CameraPath& path, std::uint32_t depth,
+Shading shadeMiss(const World& world, const Ray& ray, const CameraPath& path) {
+    Shading shading;
+    const auto light = std::ranges::find_if(
+        world.lights, [](const Light& candidate) { return std::holds_alternative<SurroundingLight>(candidate.shape); });
+    if (light != world.lights.end()) {
+        shading.emitted = path.beta * environmentRadiance(world, ray.direction) *
+                          emissionWeight(world, *light, path, ray, kBeyond, glm::dvec3(0));
+    }
+    return shading;
+}
+
+Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const CameraPath& started, std::uint32_t depth,
                      std::uint32_t pass) {
     const Surface surface = evaluateSurface(world, ray, hit);
+    CameraPath path = started;
+    path.beta *= transmittance(path.medium, hit.t);
     Shading shading{.emitted = path.beta * surface.emission, .visible = {}, .rough = {}, .next = {}};
-    shading.emitted *= emissionWeight(world, surface, ray, hit, path);
+    const auto light = std::ranges::find(world.lights, std::optional(hit.object), &Light::object);
+    if (light != world.lights.end()) {
+        shading.emitted *= emissionWeight(world, *light, path, ray, hit.t, surface.geometricNormal);
+    }
     if (surface.material == nullptr) {
         return shading;
     }
+    const MaterialModel model = texturedModel(world, surface);
     const bool whitted = world.render.integrator == Integrator::Whitted;
-    const std::optional<DiffusePart> diffuse = diffusePart(surface.material->model);
-    const std::optional<Lobe> lobe = lobeOf(surface.material->model, surface.front);
+    const std::optional<DiffusePart> diffuse = diffusePart(model);
+    const std::optional<Lobe> lobe = lobeOf(model, surface.front);
     const double cosOut = incidentCosine(ray.direction, surface.normal);
     const double probability = lobeProbability(lobe, diffuse, cosOut);
     const shared::Sampler sampler{.seed = path.samplerSeed, .index = pass};

@@ -13,9 +13,10 @@ namespace hyalite::reference {
 
 // The state of a camera path that has not yet met a diffuse surface.
 struct CameraPath {
-    glm::dvec3 beta{1};            // throughput: what one unit of radiance along the present ray adds to the pixel
-    std::uint32_t samplerSeed = 0; // the sampler's index is the pass
-    double pdfW = 0;               // density of the present direction [1/sr]; 0: by the camera or a smooth surface
+    glm::dvec3 beta{1};               // throughput: what one unit of radiance along the present ray adds to the pixel
+    std::uint32_t samplerSeed = 0;    // the sampler's index is the pass
+    const Material* medium = nullptr; // of the world: the dielectric that it runs in; nullptr: none
+    double pdfW = 0;                  // density of the present direction [1/sr]; 0: by the camera or a smooth surface
 };
 
 // The path that starts at the camera.
@@ -32,6 +33,9 @@ struct Shading {
     std::optional<RoughPoint> rough;            // on a rough one
     std::array<std::optional<NextRay>, 2> next; // reflected or by a rough lobe, refracted
 };
+
+// Of a path whose ray hits nothing: it sees the environment.
+[[nodiscard]] Shading shadeMiss(const World& world, const Ray& ray, const CameraPath& path);
 
 // `depth` counts the segments from the camera to the hit. At smooth glass, ppm follows one of reflection and refraction
 // (picked with the Fresnel reflectance), whitted both, weighted, unless their throughput is below render.minWeight.

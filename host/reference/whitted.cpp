@@ -11,10 +11,7 @@ namespace {
 glm::dvec3 traceTree(const World& world, const Ray& ray, const CameraPath& path, std::uint32_t depth,
                      std::uint32_t pass) {
     const std::optional<Hit> hit = traceClosest(world, ray);
-    if (!hit) {
-        return glm::dvec3(0);
-    }
-    const Shading shading = shadeSurface(world, ray, *hit, path, depth, pass);
+    const Shading shading = hit ? shadeSurface(world, ray, *hit, path, depth, pass) : shadeMiss(world, ray, path);
     glm::dvec3 L = shading.emitted;
     const auto add = [&](const std::optional<LightSample>& sample) {
         if (sample && traceShadow(world, sample->from, sample->to)) {

@@ -1,6 +1,7 @@
 // Preparing the scene, and the two questions rays ask of it: what is nearest, and is the way free.
 #include "reference/world.h"
 
+#include "geometry/specular_targets.h"
 #include "scene/bounds.h"
 
 #include <algorithm>
@@ -151,6 +152,10 @@ World prepareWorld(const Scene& scene) {
     World world{.camera = makeCameraFrame(scene.camera, scene.file),
                 .render = scene.render,
                 .initialRadius = initialRadius(scene),
+                .globalRadius = globalSearchRadius(scene),
+                .causticRadius = causticSearchRadius(scene),
+                .targets = specularTargets(scene),
+                .textures = scene.textures,
                 .materials = scene.materials,
                 .objects = scene.objects,
                 .csgLeaves = scene.csgLeaves,
@@ -207,6 +212,7 @@ Surface evaluateSurface(const World& world, const Ray& ray, const Hit& hit) {
     Surface surface{};
     surface.position = point.position;
     surface.offset = point.offset;
+    surface.uv = point.uv;
     surface.front = glm::dot(ray.direction, point.geometricNormal) < 0;
     surface.geometricNormal = surface.front ? point.geometricNormal : -point.geometricNormal;
     surface.normal = surface.front ? point.normal : -point.normal;

@@ -2,6 +2,7 @@
 // over the objects and one over each mesh. Value type; the renderers only read it.
 #pragma once
 
+#include "geometry/bounding_sphere.h"
 #include "reference/bvh.h"
 #include "reference/camera.h"
 #include "reference/csg.h"
@@ -23,6 +24,10 @@ struct World {
     CameraFrame camera;
     RenderSettings render;
     double initialRadius = 0; // ppm: search radius of pass 0 [m]
+    double globalRadius = 0;  // photonmap: photons of an estimate lie no farther [m]
+    double causticRadius = 0; // photonmap: those of caustics [m]
+    std::vector<BoundingSphere> targets; // photonmap: what caustic photons are aimed at
+    std::vector<Texture> textures;
     std::vector<Material> materials;
     std::vector<Object> objects;
     std::vector<Object> csgLeaves;
@@ -62,6 +67,7 @@ struct Surface {
     bool front = false; // the ray came from the outside of a solid or mesh, the side of q > 0, the front of a quad
     double offset = 0;  // distance [m] that a leaving ray starts from the surface
     const Material* material = nullptr; // of the world; nullptr: absorbs
+    glm::dvec2 uv{0};                   // for textures
     glm::dvec3 emission{0};             // radiance towards where the ray came from [W/(m^2 sr)]
 };
 [[nodiscard]] Surface evaluateSurface(const World& world, const Ray& ray, const Hit& hit);

@@ -19,8 +19,17 @@ void CameraPaths::generate(std::uint32_t pass) {
                          queue_.count);
 }
 
+void CameraPaths::compact(std::uint32_t slots) {
+    const std::uint32_t alive = countAlive(device_, prefixSum_, queue_, slots);
+    device_.commands.run(compactCameraPaths_,
+                         shared::CompactCameraPathsArguments{queue_.alive, queue_.offsets, queue_.nextRays,
+                                                             queue_.nextPaths, queue_.rays, queue_.paths, slots},
+                         alive > 0 ? slots : 0);
+    queue_.count = alive;
+}
+
 RaysTraced CameraPaths::follow(std::uint32_t pass, const gpu::Array<shared::VisiblePoint>& visiblePoints,
-                               const gpu::Array<glm::vec3>& emitted, const gpu::Array<glm::vec3>& direct) {
+                               const gpu::Array<glm::vec3>& emitted, const gpu::Array<glm::vec3>* direct) {
     gpu::Commands& commands = device_.commands;
     CameraQueue& queue = queue_;
     RaysTraced rays;
@@ -35,14 +44,11 @@ RaysTraced CameraPaths::follow(std::uint32_t pass, const gpu::Array<shared::Visi
                                                    queue.count, depth, scene_.render.maxDepth, pass,
                                                    /*split*/ 0, /*minWeight*/ 0, roughPoints_},
                      queue.count);
-        rays.shadow += roughLight_.sample(roughPoints_, direct, queue.count, shared::kNone, pass);
         rays.camera += queue.count;
-        const std::uint32_t alive = countAlive(device_, prefixSum_, queue, queue.count);
-        commands.run(compactCameraPaths_,
-                     shared::CompactCameraPathsArguments{queue.alive, queue.offsets, queue.nextRays, queue.nextPaths,
-                                                         queue.rays, queue.paths, queue.count},
-                     alive > 0 ? queue.count : 0);
-        queue.count = alive;
+        if (direct != nullptr) {
+            rays.shadow += roughLight_.sample(roughPoints_, *direct, queue.count, shared::kNone, pass);
+        }
+        compact(queue.count);
     }
     return rays;
 }

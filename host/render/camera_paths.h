@@ -23,11 +23,14 @@ public:
     // Fills the queue with the rays of a pass through the lens.
     void generate(std::uint32_t pass);
 
+    // Puts the living among the first `slots` next rays into the queue, in order.
+    void compact(std::uint32_t slots);
+
     // Follows what the queue holds. Per pixel: where its path ends on a diffuse surface, and the emission on the way
-    // [W/(m^2 sr)]; pixels without a path in the queue are left as they are. To `direct` is added what comes straight
-    // from the lights to rough surfaces on the way.
+    // [W/(m^2 sr)]; pixels without a path in the queue are left as they are. To `direct`, if it is not nullptr, is added
+    // what comes straight from the lights to rough surfaces on the way.
     RaysTraced follow(std::uint32_t pass, const gpu::Array<shared::VisiblePoint>& visiblePoints,
-                      const gpu::Array<glm::vec3>& emitted, const gpu::Array<glm::vec3>& direct);
+                      const gpu::Array<glm::vec3>& emitted, const gpu::Array<glm::vec3>* direct);
 
 private:
     Device& device_;

@@ -12,14 +12,21 @@ namespace hyalite::render {
 struct DeviceScene {
     shared::CameraRecord camera;
     gpu::Array<shared::MaterialRecord> materials;
-    gpu::Array<shared::LightRecord> lights;
+    gpu::Array<shared::LightRecord> lights; // they name places in the next three
+    gpu::Array<shared::LightTriangle> lightTriangles;
+    gpu::Array<glm::vec3> lightTexels;
+    gpu::Array<float> lightCdfs;
     gpu::Array<shared::InstanceRecord> instances; // in device order, like the objects
     gpu::Array<glm::vec3> normals;                // three per triangle of the triangle table
     gpu::Array<glm::uvec4> nodes;
     gpu::Array<glm::vec4> objects;
     gpu::Array<glm::vec4> triangles;
+    gpu::Array<glm::vec4> textures;
+    gpu::Array<glm::vec4> textureCoordinates; // of the triangles
     std::uint32_t rootNode = 0;
     std::uint32_t lightCount = 0;
+    gpu::Array<shared::TargetRecord> targets; // what caustic photons are aimed at
+    std::uint32_t targetCount = 0;
     bool hasRoughLobes = false;            // whether camera paths leave rough points
     std::vector<std::uint32_t> objectOf;   // see ObjectTable
     std::vector<std::uint32_t> leafOf;     // see ObjectTable
@@ -28,9 +35,6 @@ struct DeviceScene {
 };
 
 [[nodiscard]] shared::CameraRecord cameraRecord(const Camera& camera);
-
-// Point lights in order, then emitting objects in order; pmf in proportion to the mean of the flux's three channels.
-[[nodiscard]] std::vector<shared::LightRecord> lightRecords(const Scene& scene);
 
 // Builds the hierarchies, uploads everything and shows the hot tables at their bindings; the result must outlive the
 // tables' use.

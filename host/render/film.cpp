@@ -14,7 +14,7 @@ Film::Film(Device& device, glm::uvec2 resolution, std::vector<LayerKind> layers)
 }
 
 void Film::add(Device& device, std::size_t layer, const gpu::Array<glm::vec3>& colors) const {
-    device.commands.run(accumulateFilm_, shared::AccumulateFilmArguments{colors, sums_.at(layer), pixelCount()},
+    device.commands.run(accumulateFilm_, shared::AccumulateFilmArguments{colors, sums_.at(layer), pixelCount(), 1},
                         pixelCount());
 }
 

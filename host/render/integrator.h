@@ -1,7 +1,11 @@
 // What a way of computing light transport offers: independent passes, each of which adds one estimate per pixel.
 #pragma once
 
+#include "render/light_balance.h"
+
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace hyalite::render {
 
@@ -12,6 +16,15 @@ struct Counts {
     std::uint64_t photonRays = 0;
     std::uint64_t photonsEmitted = 0;
     std::uint64_t photonsStored = 0;
+    std::uint64_t shadowRaysSaved = 0;       // photonmap: answered by shadow photons
+    std::uint64_t causticPhotonsEmitted = 0; // photonmap: for the caustic map
+    std::uint64_t causticPhotonsStored = 0;
+};
+
+// What a user should know of a picture besides the picture.
+struct RenderNotes {
+    std::vector<LightBalance> lights;  // photonmap: what became of the flux of each light
+    std::vector<std::string> warnings; // sentences
 };
 
 class PassIntegrator {
@@ -25,9 +38,11 @@ public:
     virtual void renderPass(std::uint32_t pass) = 0;
 
     [[nodiscard]] const Counts& counts() const { return counts_; }
+    [[nodiscard]] const RenderNotes& notes() const { return notes_; }
 
 protected:
     Counts counts_;
+    RenderNotes notes_;
 };
 
 } // namespace hyalite::render

@@ -11,8 +11,6 @@ shared::MaterialRecord blankRecord(std::uint32_t type, const glm::dvec3& color) 
     r.type = type;
     r.color = color;
     r.ior = 1;
-    r.colorTexture = shared::kNone;
-    r.roughnessTexture = shared::kNone;
     return r;
 }
 
@@ -28,6 +26,7 @@ shared::MaterialRecord record(const Dielectric& dielectric) {
     shared::MaterialRecord r = blankRecord(shared::kMaterialDielectric, glm::dvec3(1));
     r.ior = static_cast<float>(dielectric.ior);
     r.roughness = static_cast<float>(dielectric.roughness);
+    r.extinction = dielectric.absorption;
     return r;
 }
 
@@ -50,8 +49,11 @@ shared::MaterialRecord record(const MetallicRoughness& material) {
 MaterialTable buildMaterialTable(const std::vector<Material>& materials) {
     MaterialTable table;
     for (const Material& material : materials) {
-        const shared::MaterialRecord r = std::visit([](const auto& model) { return record(model); }, material.model);
+        shared::MaterialRecord r = std::visit([](const auto& model) { return record(model); }, material.model);
+        r.colorTexture = static_cast<std::uint32_t>(material.colorTexture.value_or(shared::kNone));
+        r.roughnessTexture = static_cast<std::uint32_t>(material.roughnessTexture.value_or(shared::kNone));
         table.types |= 1U << r.type;
+        // A texture can only make it smoother
         table.types |= r.roughness * r.roughness >= shared::kSmoothAlpha ? 1U << shared::kMaterialRough : 0;
         table.records.push_back(r);
     }

@@ -1,7 +1,10 @@
 #include "render/photon_grid.h"
 
+#include "base/error.h"
+
 #include <algorithm>
 #include <bit>
+#include <string>
 
 namespace hyalite::render {
 
@@ -31,13 +34,36 @@ void PhotonGrid::reserve(Device& device, std::uint32_t slots) {
         const std::size_t room = slots + slots / 4; // passes differ a little
         ranks_ = {device.context, room, "photon ranks"};
         order_ = {device.context, room, "photon order"};
-        sorted_ = {device.context, room, "sorted photons"};
-        device.tables.set(TABLE_PHOTONS, sorted_.buffer(), gpu::TexelFormat::Float4);
     }
     grid_.bucketMask = buckets - 1;
 }
 
 void PhotonGrid::build(Device& device, const gpu::Array<shared::Photon>& photons, std::uint32_t slots, float radius) {
+    listByCell(device, photons, slots, radius);
+    if (sorted_.count() < order_.count()) {
+        sorted_ = {device.context, order_.count(), "sorted photons"};
+        device.tables.set(TABLE_PHOTONS, sorted_.buffer(), gpu::TexelFormat::Float4);
+    }
+    base_ = 0;
+    device.commands.run(sortPhotons_, shared::SortPhotonsArguments{photons, order_, sorted_, photonCount_},
+                        photonCount_);
+}
+
+void PhotonGrid::build(Device& device, const gpu::Array<shared::Photon>& photons, std::uint32_t slots, float radius,
+                       const gpu::Array<shared::Photon>& table, std::uint32_t base) {
+    listByCell(device, photons, slots, radius);
+    if (std::size_t{base} + photonCount_ > table.count()) {
+        throw Error(ExitCode::BadInput, "a photon table of " + std::to_string(table.count()) + " has no room for " +
+                                            std::to_string(photonCount_) + " photons from " + std::to_string(base));
+    }
+    base_ = base;
+    const shared::PhotonArray sorted{table.buffer().address() + base * sizeof(shared::Photon)};
+    device.commands.run(sortPhotons_, shared::SortPhotonsArguments{photons, order_, sorted, photonCount_},
+                        photonCount_);
+}
+
+void PhotonGrid::listByCell(Device& device, const gpu::Array<shared::Photon>& photons, std::uint32_t slots,
+                            float radius) {
     device.commands.finish();
     reserve(device, slots);
     grid_.inverseCellSize = 1 / (kCellSize * radius);
@@ -53,9 +79,6 @@ void PhotonGrid::build(Device& device, const gpu::Array<shared::Photon>& photons
     device.commands.run(orderCells_, shared::OrderCellsArguments{cellStarts_, order_, buckets}, buckets);
     device.commands.finish();
     photonCount_ = cellStarts_.host()[buckets];
-    // And move them there
-    device.commands.run(sortPhotons_, shared::SortPhotonsArguments{photons, order_, sorted_, photonCount_},
-                        photonCount_);
 }
 
 } // namespace hyalite::render

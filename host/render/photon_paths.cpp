@@ -1,11 +1,13 @@
 #include "render/photon_paths.h"
 
+#include "render/photon_slots.h"
+
 #include <algorithm>
 
 namespace hyalite::render {
 
 PhotonPaths::PhotonPaths(Device& device, const Scene& scene, const DeviceScene& deviceScene, std::uint32_t capacity)
-    : device_(device), scene_(scene), deviceScene_(deviceScene), emitPhotons_(device.kernel("emit_photons")),
+    : device_(device), scene_(scene), deviceScene_(deviceScene), emitPhotons_(device.kernel("emit_photons")), emitCausticPhotons_(device.kernel("emit_caustic_photons")),
       traceClosest_(device.kernel("trace_closest", deviceScene.specialization)),
       scatterPhoton_(device.kernel("scatter_photon", deviceScene.specialization)),
       compactPhotonPaths_(device.kernel("compact_photon_paths")), prefixSum_(device), queue_(device.context, capacity) {
@@ -18,21 +20,20 @@ std::uint32_t PhotonPaths::trace(const PhotonPass& pass) {
     // Where direct photons are not stored, nothing is after the first segment: its slots are used again
     const std::uint32_t firstStored = (pass.kinds & 1U << shared::kPhotonDirect) != 0 ? 1 : 2;
     std::uint32_t slots = 0;
-    queue.count = pass.count;
-    commands.run(emitPhotons_,
-                 shared::EmitPhotonsArguments{deviceScene_.lights, queue.rays, queue.paths, queue.count,
-                                              deviceScene_.lightCount, pass.sequence},
-                 queue.count);
+    emit(pass);
+    if (pass.account) {
+        openAccount();
+    }
     for (std::uint32_t depth = 1; queue.count > 0 && depth < maxDepth; ++depth) {
-        reserve(slots + queue.count);
+        reservePhotonSlots(device_, photons_, slots + queue.count);
         commands.run(traceClosest_,
                      shared::TraceClosestArguments{queue.rays, queue.hits, queue.count, deviceScene_.rootNode},
                      queue.count);
         commands.run(scatterPhoton_,
                      shared::ScatterPhotonArguments{
                          queue.rays, queue.hits, queue.paths, deviceScene_.materials, deviceScene_.normals,
-                         deviceScene_.instances, photons_, shared::PhotonFateArray{}, queue.nextRays, queue.nextPaths,
-                         queue.alive, queue.count, slots, depth, maxDepth, pass.sequence, pass.kinds, /*account*/ 0},
+                         deviceScene_.instances, photons_, fates_, queue.nextRays, queue.nextPaths,
+                         queue.alive, queue.count, slots, depth, maxDepth, pass.sequence, pass.kinds, pass.account ? 1U : 0U},
                      queue.count);
         raysTraced_ += queue.count;
         slots += depth >= firstStored ? queue.count : 0;
@@ -43,17 +44,54 @@ std::uint32_t PhotonPaths::trace(const PhotonPass& pass) {
                      alive > 0 ? queue.count : 0);
         queue.count = alive;
     }
+    if (pass.account) {
+        closeAccount();
+    }
     return slots;
 }
 
-void PhotonPaths::reserve(std::uint32_t slots) {
-    if (photons_.count() >= slots) {
+void PhotonPaths::emit(const PhotonPass& pass) {
+    queue_.count = pass.count;
+    if (pass.aimed) {
+        device_.commands.run(emitCausticPhotons_,
+                             shared::EmitCausticPhotonsArguments{deviceScene_.lights, deviceScene_.targets, queue_.rays,
+                                                                 queue_.paths, queue_.count, deviceScene_.lightCount,
+                                                                 deviceScene_.targetCount, pass.sequence},
+                             queue_.count);
         return;
     }
+    device_.commands.run(emitPhotons_,
+                         shared::EmitPhotonsArguments{deviceScene_.lights, queue_.rays, queue_.paths, queue_.count,
+                                                      deviceScene_.lightCount, pass.sequence},
+                         queue_.count);
+}
+
+void PhotonPaths::openAccount() {
     device_.commands.finish();
-    gpu::Array<shared::Photon> larger(device_.context, std::max<std::size_t>(slots, 2 * photons_.count()), "photons");
-    std::ranges::copy(photons_.host(), larger.host().begin());
-    photons_ = std::move(larger);
+    const std::uint32_t count = queue_.count;
+    balance_.assign(deviceScene_.lightCount, {});
+    lightOf_.resize(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const shared::PhotonPath& path = queue_.paths.host()[i];
+        lightOf_[i] = path.light;
+        balance_.at(path.light).emitted += path.power;
+    }
+    if (fates_.count() < count) {
+        fates_ = {device_.context, count, "photon fates"};
+    }
+    std::ranges::fill(fates_.host().first(count), shared::PhotonFate{});
+}
+
+void PhotonPaths::closeAccount() {
+    device_.commands.finish();
+    for (std::size_t i = 0; i < lightOf_.size(); ++i) {
+        const shared::PhotonFate& fate = fates_.host()[i];
+        LightBalance& balance = balance_.at(lightOf_[i]);
+        balance.stored += fate.stored;
+        balance.absorbed += fate.absorbed;
+        balance.escaped += fate.escaped;
+        balance.cutOff += fate.cutOff;
+    }
 }
 
 } // namespace hyalite::render

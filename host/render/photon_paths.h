@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/device_scene.h"
+#include "render/light_balance.h"
 #include "render/path_queue.h"
 
 namespace hyalite::render {
@@ -11,6 +12,7 @@ struct PhotonPass {
     std::uint32_t sequence = 0; // see shared::photonSequence
     std::uint32_t count = 0;    // emitted, at most the capacity
     std::uint32_t kinds = 0;    // bit kPhoton… is set for every kind that is stored; paths that can store no more end
+    bool aimed = false;         // emit only towards what is specular
     bool account = false;       // keep account of what becomes of each photon's flux
 };
 
@@ -26,19 +28,28 @@ public:
     [[nodiscard]] const gpu::Array<shared::Photon>& photons() const { return photons_; }
     [[nodiscard]] std::uint64_t raysTraced() const { return raysTraced_; }
 
+    // Per light, of the last pass that kept account.
+    [[nodiscard]] const std::vector<LightBalance>& balance() const { return balance_; }
+
 private:
-    void reserve(std::uint32_t slots);
+    void emit(const PhotonPass& pass);
+    void openAccount();
+    void closeAccount();
 
     Device& device_;
     const Scene& scene_;
     const DeviceScene& deviceScene_;
     gpu::Kernel emitPhotons_;
+    gpu::Kernel emitCausticPhotons_;
     gpu::Kernel traceClosest_;
     gpu::Kernel scatterPhoton_;
     gpu::Kernel compactPhotonPaths_;
     PrefixSum prefixSum_;
     PhotonQueue queue_;
     gpu::Array<shared::Photon> photons_;
+    gpu::Array<shared::PhotonFate> fates_;
+    std::vector<std::uint32_t> lightOf_; // per photon, while an account is open
+    std::vector<LightBalance> balance_;
     std::uint64_t raysTraced_ = 0;
 };
 

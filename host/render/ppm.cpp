@@ -31,7 +31,7 @@ void Ppm::renderPass(std::uint32_t pass) {
     // rough metal and glass also the light that comes there straight from a lamp
     device_.commands.clear(direct_.buffer());
     cameraPaths_.generate(pass);
-    const RaysTraced rays = cameraPaths_.follow(pass, visiblePoints_, emitted_, direct_);
+    const RaysTraced rays = cameraPaths_.follow(pass, visiblePoints_, emitted_, &direct_);
     counts_.cameraRays += rays.camera;
     counts_.shadowRays += rays.shadow;
     // Light that comes to the diffuse surface straight from a lamp

@@ -1,6 +1,7 @@
 #include "render/renderer.h"
 
 #include "base/stopwatch.h"
+#include "render/photon_mapping.h"
 #include "render/ppm.h"
 #include "render/whitted.h"
 
@@ -8,25 +9,33 @@ namespace hyalite::render {
 
 namespace {
 
-std::vector<LayerKind> layersOf(Integrator integrator) {
-    switch (integrator) {
+std::vector<LayerKind> layersOf(const RenderSettings& render) {
+    switch (render.integrator) {
     case Integrator::Whitted:
         return Whitted::layers();
     case Integrator::Ppm:
         return Ppm::layers();
+    case Integrator::PhotonMap:
+        return PhotonMapping::layers(render.photonMap.view);
+    case Integrator::Path:
+        break;
     }
-    throw Error(ExitCode::WrongUsage, "unknown integrator");
+    throw Error(ExitCode::WrongUsage, "this integrator has no kernels");
 }
 
 std::unique_ptr<PassIntegrator> makeIntegrator(Device& device, const Scene& scene, const DeviceScene& deviceScene,
-                                               const Film& film) {
+                                               const Film& film, const RenderOptions& options) {
     switch (scene.render.integrator) {
     case Integrator::Whitted:
         return std::make_unique<Whitted>(device, scene, deviceScene, film);
     case Integrator::Ppm:
         return std::make_unique<Ppm>(device, scene, deviceScene, film);
+    case Integrator::PhotonMap:
+        return std::make_unique<PhotonMapping>(device, scene, deviceScene, film, options);
+    case Integrator::Path:
+        break;
     }
-    throw Error(ExitCode::WrongUsage, "unknown integrator");
+    throw Error(ExitCode::WrongUsage, "this integrator has no kernels");
 }
 
 } // namespace
@@ -40,8 +49,8 @@ RenderResult render(const gpu::Context& context, const gpu::ShaderCompiler& comp
     const Stopwatch setup;
     Device device(context, compiler, options.profile);
     const DeviceScene deviceScene = uploadScene(context, device.tables, scene);
-    const Film film(device, scene.camera.resolution, layersOf(scene.render.integrator));
-    const auto integrator = makeIntegrator(device, scene, deviceScene, film);
+    const Film film(device, scene.camera.resolution, layersOf(scene.render));
+    const auto integrator = makeIntegrator(device, scene, deviceScene, film, options);
 
     RenderResult result;
     result.setupSeconds = setup.seconds();
@@ -59,6 +68,7 @@ RenderResult render(const gpu::Context& context, const gpu::ShaderCompiler& comp
     result.passes = progress.passes;
     result.renderSeconds = progress.seconds;
     result.counts = integrator->counts();
+    result.notes = integrator->notes();
     result.stages = device.commands.times();
     return result;
 }

@@ -7,6 +7,7 @@
 #include "render/integrator.h"
 #include "scene/scene.h"
 
+#include <filesystem>
 #include <functional>
 
 namespace hyalite::render {
@@ -21,6 +22,8 @@ struct RenderOptions {
     bool profile = false; // time every stage
     double timeLimit = 0; // start no pass that would probably end later than this [s]; 0: no limit
     std::function<void(const Progress&)> onPass; // after every pass
+    std::filesystem::path savePhotons; // photonmap: write the photon maps here; empty: do not
+    std::filesystem::path loadPhotons; // photonmap: read them from here instead of tracing them
 };
 
 struct RenderResult {
@@ -29,6 +32,7 @@ struct RenderResult {
     double setupSeconds = 0;  // kernels, scene, hierarchies
     double renderSeconds = 0; // passes
     Counts counts;
+    RenderNotes notes;
     std::map<std::string, gpu::StageTime> stages; // with profile
 };
 

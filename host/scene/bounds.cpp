@@ -3,6 +3,7 @@
 
 #include "scene/quadric.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hyalite {
@@ -80,6 +81,18 @@ Bounds meshBounds(const Mesh& mesh, const glm::dmat4& objectToWorld) {
     return box;
 }
 
+double worldArea(const Mesh& mesh, const glm::dmat4& objectToWorld) {
+    const glm::dmat3 linear(objectToWorld);
+    double area = 0;
+    for (const glm::uvec3& triangle : mesh.triangles) {
+        const glm::dvec3 corner(mesh.positions[triangle.x]);
+        const glm::dvec3 edge0 = linear * (glm::dvec3(mesh.positions[triangle.y]) - corner);
+        const glm::dvec3 edge1 = linear * (glm::dvec3(mesh.positions[triangle.z]) - corner);
+        area += glm::length(glm::cross(edge0, edge1)) / 2;
+    }
+    return area;
+}
+
 Bounds worldBounds(const Sphere& sphere) {
     return {sphere.center - sphere.radius, sphere.center + sphere.radius};
 }
@@ -131,6 +144,19 @@ Bounds sceneBounds(const Scene& scene) {
     return box;
 }
 
+LightSphere lightSphere(const Scene& scene) {
+    Bounds box = sceneBounds(scene);
+    const bool allEnd = std::all_of(scene.objects.begin(), scene.objects.end(),
+                                    [&](const Object& object) { return isFinite(worldBounds(scene, object)); });
+    if (!allEnd) {
+        box.add(scene.camera.position);
+        box.add(scene.camera.lookAt);
+    }
+    // A little wider than the box's corners: what touches the sphere is reached too
+    const double radius = 0.501 * glm::length(box.high - box.low);
+    return {.center = 0.5 * (box.low + box.high), .radius = radius, .distance = allEnd ? radius : 16 * radius};
+}
+
 double sceneRadius(const Scene& scene) {
     const Bounds box = sceneBounds(scene);
     return glm::length(box.high - box.low) / 2;
@@ -138,6 +164,15 @@ double sceneRadius(const Scene& scene) {
 
 double initialRadius(const Scene& scene) {
     return scene.render.radius > 0 ? scene.render.radius : sceneRadius(scene) / 100;
+}
+
+double globalSearchRadius(const Scene& scene) {
+    return scene.render.radius > 0 ? scene.render.radius : sceneRadius(scene) / 8;
+}
+
+double causticSearchRadius(const Scene& scene) {
+    const double radius = scene.render.photonMap.causticRadius;
+    return radius > 0 ? radius : sceneRadius(scene) / 25;
 }
 
 } // namespace hyalite

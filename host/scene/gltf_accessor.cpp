@@ -80,14 +80,8 @@ GltfAccessor::GltfAccessor(GltfDocument& document, const GltfValue& reference, s
 GltfAccessor::View GltfAccessor::open(GltfDocument& document, const GltfValue& where, std::size_t count,
                                       std::size_t elementBytes, bool mayStride) {
     const GltfValue view = document.item("bufferViews", where.require("bufferView"));
-    const std::string_view buffer = document.buffer(view.require("buffer").index(document.root(), "buffers"));
-    const auto viewOffset = view.find("byteOffset");
-    const std::size_t begin = viewOffset ? viewOffset->whole() : 0;
-    const std::size_t length = view.require("byteLength").whole(1);
-    if (begin > buffer.size() || length > buffer.size() - begin) {
-        view.fail(std::to_string(length) + " bytes from byte " + std::to_string(begin) +
-                  " go beyond the end of its buffer of " + std::to_string(buffer.size()) + " bytes");
-    }
+    const std::string_view bytes = document.view(view);
+    const std::size_t length = bytes.size();
 
     std::size_t stride = elementBytes;
     if (const auto written = view.find("byteStride"); written && mayStride) {
@@ -105,7 +99,7 @@ GltfAccessor::View GltfAccessor::open(GltfDocument& document, const GltfValue& w
                    std::to_string(stride) + " from byte " + std::to_string(offset) + ", go beyond the end of '" +
                    view.place() + "' of " + std::to_string(length) + " bytes");
     }
-    return {buffer.substr(begin + offset, (count - 1) * stride + elementBytes), stride};
+    return {bytes.substr(offset, (count - 1) * stride + elementBytes), stride};
 }
 
 void GltfAccessor::readSparse(GltfDocument& document, const GltfValue& sparse) {

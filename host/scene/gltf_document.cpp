@@ -146,16 +146,7 @@ std::string_view GltfDocument::buffer(std::size_t index) {
         }
         bytes = binaryChunk_;
     } else if (uri->text().starts_with("data:")) {
-        const std::string_view text = uri->text();
-        const std::size_t comma = text.find(',');
-        if (comma == std::string_view::npos || !text.substr(0, comma).ends_with(";base64")) {
-            uri->fail("a data URI must be base64");
-        }
-        auto decoded = decodeBase64(text.substr(comma + 1));
-        if (!decoded) {
-            uri->fail("the data URI is not valid base64");
-        }
-        bytes = embedded_.emplace(index, *std::move(decoded)).first->second;
+        bytes = embedded_.emplace(index, decodeData(*uri)).first->second;
         bytesRead_ += bytes.size();
     } else {
         bytes = loadFile(*uri);
@@ -169,16 +160,46 @@ std::string_view GltfDocument::buffer(std::size_t index) {
     return buffers_.emplace(index, bytes.substr(0, length.whole())).first->second;
 }
 
-std::string_view GltfDocument::loadFile(const GltfValue& uri) {
+std::string_view GltfDocument::view(const GltfValue& view) {
+    const std::string_view bytes = buffer(view.require("buffer").index(root(), "buffers"));
+    const auto offset = view.find("byteOffset");
+    const std::size_t begin = offset ? offset->whole() : 0;
+    const std::size_t length = view.require("byteLength").whole(1);
+    if (begin > bytes.size() || length > bytes.size() - begin) {
+        view.fail(std::to_string(length) + " bytes from byte " + std::to_string(begin) +
+                  " go beyond the end of its buffer of " + std::to_string(bytes.size()) + " bytes");
+    }
+    return bytes.substr(begin, length);
+}
+
+std::string GltfDocument::decodeData(const GltfValue& uri) const {
+    const std::string_view text = uri.text();
+    const std::size_t comma = text.find(',');
+    if (comma == std::string_view::npos || !text.substr(0, comma).ends_with(";base64")) {
+        uri.fail("a data URI must be base64");
+    }
+    auto decoded = decodeBase64(text.substr(comma + 1));
+    if (!decoded) {
+        uri.fail("the data URI is not valid base64");
+    }
+    return *std::move(decoded);
+}
+
+std::filesystem::path GltfDocument::pathOf(const GltfValue& uri, const std::string& kind) const {
     const auto name = decodePercent(uri.text());
     const bool isPlain = name && std::none_of(name->begin(), name->end(), [](char c) {
                              return static_cast<unsigned char>(c) < 0x20 || c == '\\' || c == ':';
                          });
     if (!isPlain || !staysInside(*name)) {
-        uri.fail("the buffer " + inQuotes(uri.text()) + " must be a file in the folder of the glTF file, or below it",
+        uri.fail("the " + kind + ' ' + inQuotes(uri.text()) +
+                     " must be a file in the folder of the glTF file, or below it",
                  "a relative path without '..', or a data URI");
     }
-    const std::filesystem::path path = folder_ / *name;
+    return folder_ / *name;
+}
+
+std::string_view GltfDocument::loadFile(const GltfValue& uri) {
+    const std::filesystem::path path = pathOf(uri, "buffer");
     const auto [known, isNew] = files_.try_emplace(path.lexically_normal().string());
     if (isNew) {
         known->second = readInputFile(path, kLargestMeshFile, "buffer", SourceLocation{*file_, 0, 0});

@@ -32,6 +32,13 @@ public:
     // The bytes of a buffer, as many as its byteLength says; read when first asked for.
     [[nodiscard]] std::string_view buffer(std::size_t index);
 
+    // The bytes of a buffer view.
+    [[nodiscard]] std::string_view view(const GltfValue& view);
+
+    // What the URI of an image stands for: the bytes of a data URI, or a path in the file's folder or below it.
+    [[nodiscard]] std::string decodeData(const GltfValue& uri) const;
+    [[nodiscard]] std::filesystem::path pathOf(const GltfValue& uri, const std::string& kind) const;
+
     // Of the JSON and of all buffers read so far.
     [[nodiscard]] std::size_t bytesRead() const { return bytesRead_; }
 

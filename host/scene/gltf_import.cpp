@@ -38,7 +38,35 @@ void checkExtensions(const GltfValue& root) {
     }
 }
 
-ImportedMaterial readMaterial(const GltfValue& value) {
+// What a material's "baseColorTexture": {"index": 3} stands for.
+ImportedTexture readTexture(GltfDocument& document, const GltfValue& info) {
+    const GltfValue texture = document.item("textures", info.require("index"));
+    ImportedTexture imported;
+    imported.place = texture.place();
+    const auto set = info.find("texCoord");
+    const auto extensions = info.find("extensions");
+    const auto source = texture.find("source");
+    if (set && set->whole() != 0) {
+        imported.refusal = "it asks for another than the first texture coordinates";
+    } else if (extensions && extensions->find("KHR_texture_transform")) {
+        imported.refusal = "it asks for a transform of the texture coordinates";
+    } else if (!source) {
+        imported.refusal = "it has no image in PNG or JPEG";
+    } else {
+        const GltfValue image = document.item("images", *source);
+        const auto uri = image.find("uri");
+        if (!uri) {
+            imported.bytes = document.view(document.item("bufferViews", image.require("bufferView")));
+        } else if (uri->text().starts_with("data:")) {
+            imported.bytes = document.decodeData(*uri);
+        } else {
+            imported.file = document.pathOf(*uri, "image");
+        }
+    }
+    return imported;
+}
+
+ImportedMaterial readMaterial(GltfDocument& document, const GltfValue& value) {
     ImportedMaterial material;
     if (const auto name = value.find("name")) {
         material.name = name->text();
@@ -57,6 +85,12 @@ ImportedMaterial readMaterial(const GltfValue& value) {
     if (const auto roughness = model->find("roughnessFactor")) {
         material.roughness = roughness->number(0, 1);
     }
+    if (const auto texture = model->find("baseColorTexture")) {
+        material.baseColorTexture = readTexture(document, *texture);
+    }
+    if (const auto texture = model->find("metallicRoughnessTexture")) {
+        material.metallicRoughnessTexture = readTexture(document, *texture);
+    }
     return material;
 }
 
@@ -68,7 +102,7 @@ public:
         checkExtensions(root_);
         if (const auto materials = root_.find("materials")) {
             for (std::size_t i = 0; i < materials->size(); ++i) {
-                file_.materials.push_back(readMaterial(materials->at(i)));
+                file_.materials.push_back(readMaterial(document_, materials->at(i)));
             }
         }
         for (const GltfPlacement& placement : placeGltfMeshes(document_)) {

@@ -1,7 +1,7 @@
 // glTF 2.0 files (.gltf, .glb): their meshes, where they stand, and what they are made of.
 //
-// Read are the triangles of the default scene with normals and first texture coordinates, and the factors of the
-// metallic-roughness materials. Textures, cameras, lights, animations and points and lines are left; skins, morphed
+// Read are the triangles of the default scene with normals and first texture coordinates, and the metallic-roughness
+// materials with their textures. Cameras, lights, animations and points and lines are left; skins, morphed
 // shapes and files that require an extension which changes the shape (compression, for one) are errors. The JSON is
 // read by nlohmann's library; what it says is followed by our own code, which checks every offset.
 #pragma once
@@ -16,12 +16,23 @@
 
 namespace hyalite {
 
-// The metallic-roughness model's factors; what textures would multiply in is not.
+// Where a texture's image is: a file of its own, or bytes of the glTF file. It is read when a material that shows it is
+// asked for.
+struct ImportedTexture {
+    std::string place;          // for messages: "textures[2]"
+    std::filesystem::path file; // empty: `bytes` are the image
+    std::string bytes;
+    std::string refusal; // why it cannot be shown; empty: it can
+};
+
+// The metallic-roughness model; the textures multiply the factors.
 struct ImportedMaterial {
-    std::string name;        // may be empty
-    glm::dvec3 baseColor{1}; // [0, 1], linear
-    double metallic = 1;     // [0, 1]
-    double roughness = 1;    // [0, 1]
+    std::string name;                                             // may be empty
+    glm::dvec3 baseColor{1};                                      // [0, 1], linear
+    double metallic = 1;                                          // [0, 1]
+    double roughness = 1;                                         // [0, 1]
+    std::optional<ImportedTexture> baseColorTexture = {};         // sRGB
+    std::optional<ImportedTexture> metallicRoughnessTexture = {}; // linear; green: roughness, blue: metallic
 };
 
 // A mesh in one place.

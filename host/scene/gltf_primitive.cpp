@@ -116,7 +116,7 @@ void readTextureCoordinates(const GltfAccessor& accessor, const std::vector<std:
         if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) {
             accessor.fail(vertex, "a texture coordinate is not a finite number");
         }
-        mesh.uvs.push_back(uv);
+        mesh.uvs.emplace_back(uv.x, 1 - uv.y); // the format's v points downwards
     }
 }
 

@@ -1,11 +1,13 @@
 // See load_scene.h. The top of the format: its sections, objects, and what a scene as a whole must have.
 #include "scene/load_scene.h"
 
+#include "scene/bounds.h"
 #include "scene/input_file.h"
 #include "scene/mesh_library.h"
 #include "scene/read_lights.h"
 #include "scene/read_materials.h"
 #include "scene/read_shapes.h"
+#include "scene/read_textures.h"
 #include "scene/read_transform.h"
 #include "scene/reader.h"
 #include "scene/scene_limits.h"
@@ -28,17 +30,30 @@ void checkVersion(const Value& version) {
     }
 }
 
+void readTextures(const Value& value, const std::filesystem::path& folder, Scene& scene) {
+    const Reader map(value); // as of the materials
+    for (const YamlEntry& entry : map.map().node().entries) {
+        scene.textures.push_back(readTexture(Value(*entry.value, value.file(), entry.key), folder));
+    }
+}
+
 void readMaterials(const Value& value, Scene& scene) {
     const Reader map(value); // for its check that this is a map: the keys are names of the user's choice
     for (const YamlEntry& entry : map.map().node().entries) {
-        scene.materials.push_back(readMaterial(Value(*entry.value, value.file(), entry.key)));
+        scene.materials.push_back(readMaterial(Value(*entry.value, value.file(), entry.key), scene));
     }
 }
 
 // Spheres that a transform has made ellipsoids cannot.
-bool canEmit(const Shape& shape) {
-    return std::holds_alternative<Quad>(shape) || std::holds_alternative<Disk>(shape) ||
-           std::holds_alternative<Sphere>(shape);
+void checkEmission(const Value& emission, const Shape& shape, const Scene& scene) {
+    if (const auto* instance = std::get_if<MeshInstance>(&shape)) {
+        if (!(worldArea(scene.meshes[instance->mesh], instance->objectToWorld) > 0)) {
+            emission.fail("this mesh has no area to emit light from");
+        }
+    } else if (!std::holds_alternative<Quad>(shape) && !std::holds_alternative<Disk>(shape) &&
+               !std::holds_alternative<Sphere>(shape)) {
+        emission.fail("only quads, disks, spheres and meshes can emit light", "use one of these, or a point light");
+    }
 }
 
 // Where the copies of an object stand: its own place, moved on by every product of powers of the maps in `repeat`.
@@ -83,6 +98,7 @@ std::vector<Object> readCopy(const Value& value, const glm::dmat4& place, Scene&
     if (emission) {
         emission->readColor(radiance, kRadiance);
     }
+    const double photonShare = readPhotonShare(reader);
     reader.finish();
     Object whole = readShape(shape, around);
     if (parts.empty()) {
@@ -91,8 +107,9 @@ std::vector<Object> readCopy(const Value& value, const glm::dmat4& place, Scene&
     for (Object& object : parts) {
         object.where = reader.where();
         object.emission = radiance;
-        if (emission && !canEmit(object.shape)) {
-            emission->fail("only quads, disks and spheres can emit light", "use one of these, or a point light");
+        object.photonShare = photonShare;
+        if (emission) {
+            checkEmission(*emission, object.shape, scene);
         }
         // The shapes within a csg have answered for themselves
         if (!object.material && !emission && !std::holds_alternative<Csg>(object.shape)) {
@@ -119,7 +136,9 @@ std::vector<Object> readObject(const Value& value, Scene& scene, MeshLibrary& me
 void checkScene(const Value& root, const Scene& scene) {
     const bool emits = std::any_of(scene.objects.begin(), scene.objects.end(),
                                    [](const Object& object) { return object.emission != glm::dvec3(0); });
-    if (scene.lights.empty() && !emits) {
+    const bool isLit =
+        scene.environment || !scene.lights.empty() || !scene.spots.empty() || !scene.directionals.empty();
+    if (!isLit && !emits) {
         root.fail("the scene has no light", "add a point light to 'lights' or give a quad an 'emission'");
     }
 }
@@ -129,6 +148,7 @@ void readScene(const Value& root, const std::filesystem::path& folder, Scene& sc
     checkVersion(reader.require("hyalite"));
     const auto camera = reader.find("camera");
     const auto render = reader.find("render");
+    const auto textures = reader.find("textures");
     const auto materials = reader.find("materials");
     const auto lights = reader.find("lights");
     const Value objects = reader.require("objects");
@@ -140,12 +160,15 @@ void readScene(const Value& root, const std::filesystem::path& folder, Scene& sc
     if (render) {
         readRenderSettings(*render, scene.render);
     }
+    if (textures) {
+        readTextures(*textures, folder, scene);
+    }
     if (materials) {
         readMaterials(*materials, scene);
     }
     if (lights) {
         for (const Value& light : lights->list()) {
-            readLight(Value(light.node(), light.file(), "light"), scene);
+            readLight(Value(light.node(), light.file(), "light"), folder, scene);
         }
     }
     MeshLibrary meshes(folder, scene.meshes);
@@ -157,6 +180,7 @@ void readScene(const Value& root, const std::filesystem::path& folder, Scene& sc
         objects.fail("the scene has no objects");
     }
     checkScene(root, scene);
+    checkTextures(scene);
 }
 
 } // namespace

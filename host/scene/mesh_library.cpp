@@ -42,7 +42,7 @@ MeshParts& MeshLibrary::loadParts(const Value& file) {
         part.mesh += meshes_->size();
     }
     std::move(imported.meshes.begin(), imported.meshes.end(), std::back_inserter(*meshes_));
-    MeshParts parts{std::move(imported.materials), std::move(imported.parts), {}};
+    MeshParts parts{std::move(imported.materials), std::move(imported.parts)};
     return parts_.emplace(std::move(key), std::move(parts)).first->second;
 }
 

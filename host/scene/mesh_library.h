@@ -8,15 +8,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <optional>
 
 namespace hyalite {
 
 // A file of several meshes, each in its place.
 struct MeshParts {
     std::vector<ImportedMaterial> materials;
-    std::vector<ImportedPart> parts;          // their meshes are those of the scene
-    std::optional<std::size_t> firstMaterial; // in Scene::materials, once somebody has put them there
+    std::vector<ImportedPart> parts;                        // their meshes are those of the scene
+    std::map<std::size_t, std::size_t> sceneMaterials = {}; // by the file's number, in Scene::materials; those in use
 };
 
 class MeshLibrary {

@@ -1,4 +1,4 @@
-// Wavefront OBJ: v, vn, vt and f. Names, groups, materials, texture coordinates, lines and points are skipped, for
+// Wavefront OBJ: v, vn, vt and f. Names, groups, materials, lines and points are skipped, for
 // they describe no surface that a scene file places; free-form surfaces and unknown statements are errors.
 #include "scene/mesh_import.h"
 #include "scene/numbers.h"
@@ -39,7 +39,7 @@ public:
                 soup_.normals.push_back(coordinates());
             } else if (keyword == "vt") {
                 checkCount({1, 2, 3});
-                ++textureCoordinates_;
+                soup_.uvs.push_back(textureCoordinates());
             } else if (keyword == "f") {
                 addFace();
             } else if (std::find(kSkipped.begin(), kSkipped.end(), keyword) == kSkipped.end()) {
@@ -107,6 +107,20 @@ private:
         return value;
     }
 
+    // u, then v (0 where there is none), then what only volumes use.
+    [[nodiscard]] glm::vec2 textureCoordinates() const {
+        glm::vec2 uv(0);
+        for (int axis = 0; axis < 2 && static_cast<std::size_t>(axis) + 1 < words_.size(); ++axis) {
+            const Word& word = words_[static_cast<std::size_t>(axis) + 1];
+            const auto number = parseNumber(word.text);
+            if (!number || !isMeshCoordinate(*number)) {
+                fail(word, "expected a texture coordinate, found " + inQuotes(word.text));
+            }
+            uv[axis] = static_cast<float>(*number);
+        }
+        return uv;
+    }
+
     // An index of the file, from 1 or backwards from -1, as one from 0.
     [[nodiscard]] std::uint32_t index(const Word& word, std::string_view text, std::size_t count,
                                       const std::string& kind) const {
@@ -133,7 +147,7 @@ private:
         const std::size_t second = rest.find('/');
         const std::string_view texture = rest.substr(0, second);
         if (!texture.empty() || second == std::string_view::npos) {
-            static_cast<void>(index(word, texture, textureCoordinates_, "texture coordinate")); // only checked
+            corner.uv = index(word, texture, soup_.uvs.size(), "texture coordinate");
         }
         if (second != std::string_view::npos) {
             corner.normal = index(word, rest.substr(second + 1), soup_.normals.size(), "normal");
@@ -157,7 +171,6 @@ private:
     int linesRead_ = 0;
     std::vector<Word> words_;
     PolygonSoup soup_;
-    std::size_t textureCoordinates_ = 0;
 };
 
 } // namespace

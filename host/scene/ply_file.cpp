@@ -1,5 +1,6 @@
-// PLY, text and binary of both byte orders: elements `vertex` (x y z, nx ny nz) and `face` (vertex_indices, also
-// spelt vertex_index). Other properties and elements are skipped.
+// PLY, text and binary of both byte orders: elements `vertex` (x y z, nx ny nz, and texture coordinates, which writers
+// call s t, u v or texture_u texture_v) and `face` (vertex_indices, also spelt vertex_index). Other properties and
+// elements are skipped.
 #include "scene/mesh_import.h"
 #include "scene/ply_body.h"
 #include "scene/polygon_soup.h"
@@ -10,15 +11,25 @@
 namespace hyalite {
 namespace {
 
-constexpr std::array<std::string_view, 6> kVertexNumbers{"x", "y", "z", "nx", "ny", "nz"};
+constexpr std::array<std::string_view, 8> kVertexNumbers{"x", "y", "z", "nx", "ny", "nz", "u", "v"};
+constexpr std::size_t kNormalRole = 3;
+constexpr std::size_t kUvRole = 6;
 constexpr std::size_t kNotAsked = kVertexNumbers.size();
+
+// One name for what has several.
+std::string_view knownName(std::string_view name) {
+    if (name == "s" || name == "texture_u") {
+        return "u";
+    }
+    return name == "t" || name == "texture_v" ? "v" : name;
+}
 
 // For each property of the vertex element, which of kVertexNumbers it is.
 std::vector<std::size_t> vertexRoles(const PlyElement& vertex, const std::string& file) {
     std::vector<std::size_t> roles;
     std::array<bool, kVertexNumbers.size()> found{};
     for (const PlyProperty& property : vertex.properties) {
-        const auto* known = std::find(kVertexNumbers.begin(), kVertexNumbers.end(), property.name);
+        const auto* known = std::find(kVertexNumbers.begin(), kVertexNumbers.end(), knownName(property.name));
         const auto role = static_cast<std::size_t>(known - kVertexNumbers.begin());
         roles.push_back(property.countType ? kNotAsked : role);
         if (roles.back() != kNotAsked) {
@@ -31,18 +42,26 @@ std::vector<std::size_t> vertexRoles(const PlyElement& vertex, const std::string
                         "the vertices have no property '" + std::string(kVertexNumbers[axis]) + "'");
         }
     }
-    const bool hasNormals = found[3] && found[4] && found[5];
-    if (!hasNormals) { // two thirds of a normal are none
-        std::replace_if(roles.begin(), roles.end(), [](std::size_t role) { return role >= 3; }, kNotAsked);
+    const auto drop = [&](std::size_t first, std::size_t end) {
+        std::replace_if(
+            roles.begin(), roles.end(), [&](std::size_t role) { return role >= first && role < end; }, kNotAsked);
+    };
+    if (!(found[3] && found[4] && found[5])) { // two thirds of a normal are none
+        drop(kNormalRole, kUvRole);
+    }
+    if (!(found[6] && found[7])) {
+        drop(kUvRole, kNotAsked);
     }
     return roles;
 }
 
 void readVertices(PlyBody& body, const PlyElement& element, const std::string& file, PolygonSoup& soup) {
     const std::vector<std::size_t> roles = vertexRoles(element, file);
-    const bool hasNormals = std::find(roles.begin(), roles.end(), std::size_t{3}) != roles.end();
+    const bool hasNormals = std::find(roles.begin(), roles.end(), kNormalRole) != roles.end();
+    const bool hasUvs = std::find(roles.begin(), roles.end(), kUvRole) != roles.end();
     soup.positions.reserve(element.count);
     soup.normals.reserve(hasNormals ? element.count : 0);
+    soup.uvs.reserve(hasUvs ? element.count : 0);
     for (std::size_t i = 0; i < element.count; ++i) {
         body.beginElement(element, i);
         std::array<float, kVertexNumbers.size()> values{};
@@ -63,6 +82,9 @@ void readVertices(PlyBody& body, const PlyElement& element, const std::string& f
         if (hasNormals) {
             soup.normals.emplace_back(values[3], values[4], values[5]);
         }
+        if (hasUvs) {
+            soup.uvs.emplace_back(values[6], values[7]);
+        }
     }
 }
 
@@ -81,7 +103,7 @@ void readCorners(PlyBody& body, const PlyProperty& property, std::size_t vertexC
             body.fail("the index " + std::to_string(index) + " of a vertex is out of range",
                       "there are " + std::to_string(vertexCount) + ", counted from 0");
         }
-        soup.corners.push_back({static_cast<std::uint32_t>(index), kNoNormal});
+        soup.corners.push_back({static_cast<std::uint32_t>(index), kNoNormal, kNoUv});
     }
 }
 
@@ -142,10 +164,9 @@ Mesh parsePly(std::string_view bytes, const std::string& file) {
             skipElements(body, element);
         }
     }
-    if (!soup.normals.empty()) {
-        for (Corner& corner : soup.corners) {
-            corner.normal = corner.position;
-        }
+    for (Corner& corner : soup.corners) {
+        corner.normal = soup.normals.empty() ? kNoNormal : corner.position;
+        corner.uv = soup.uvs.empty() ? kNoUv : corner.position;
     }
     return buildMesh(std::move(soup), file);
 }

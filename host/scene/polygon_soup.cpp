@@ -14,15 +14,37 @@ namespace {
 
 constexpr glm::vec3 kAnyDirection{0, 0, 1}; // for what is never seen
 
+struct Vertex {
+    std::uint32_t position;
+    std::uint32_t normal;
+    std::uint32_t uv;
+
+    bool operator==(const Vertex&) const = default;
+};
+
+struct VertexHash {
+    std::size_t operator()(const Vertex& vertex) const {
+        std::uint64_t state = std::uint64_t{vertex.position} << 32U | vertex.normal;
+        state = (state ^ state >> 29U) * 0xbf58476d1ce4e5b9U + vertex.uv;
+        return static_cast<std::size_t>((state ^ state >> 32U) * 0x94d049bb133111ebU);
+    }
+};
+
 class MeshBuilder {
 public:
     MeshBuilder(PolygonSoup soup, const std::string& file) : soup_(std::move(soup)) {
         mesh_.file = file;
         const auto hasNormal = [](const Corner& corner) { return corner.normal != kNoNormal; };
         const auto hasOwnNormal = [](const Corner& corner) { return corner.normal == corner.position; };
+        const auto hasUv = [](const Corner& corner) { return corner.uv != kNoUv; };
+        const auto hasOwnUv = [](const Corner& corner) { return corner.uv == corner.position; };
         isSmooth_ = std::any_of(soup_.corners.begin(), soup_.corners.end(), hasNormal);
-        normalsMatch_ = isSmooth_ && soup_.normals.size() == soup_.positions.size() &&
-                        std::all_of(soup_.corners.begin(), soup_.corners.end(), hasOwnNormal);
+        hasUvs_ = std::any_of(soup_.corners.begin(), soup_.corners.end(), hasUv);
+        const bool normalsMatch = !isSmooth_ || (soup_.normals.size() == soup_.positions.size() &&
+                                                 std::all_of(soup_.corners.begin(), soup_.corners.end(), hasOwnNormal));
+        const bool uvsMatch = !hasUvs_ || (soup_.uvs.size() == soup_.positions.size() &&
+                                           std::all_of(soup_.corners.begin(), soup_.corners.end(), hasOwnUv));
+        numbersMatch_ = normalsMatch && uvsMatch;
     }
 
     Mesh build() {
@@ -30,7 +52,7 @@ public:
         const std::size_t triangles = soup_.corners.size() - 2 * soup_.polygons.size();
         checkTriangleCount(triangles, mesh_.file);
         mesh_.triangles.reserve(triangles);
-        if (normalsMatch_) {
+        if (numbersMatch_ && isSmooth_) {
             makeUnitNormals();
         }
         std::size_t begin = 0;
@@ -39,8 +61,9 @@ public:
             addPolygon(i, std::span(soup_.corners).subspan(begin, polygon.end - begin));
             begin = polygon.end;
         }
-        if (!isSmooth_ || normalsMatch_) {
+        if (numbersMatch_) {
             mesh_.positions = std::move(soup_.positions);
+            mesh_.uvs = hasUvs_ ? std::move(soup_.uvs) : std::vector<glm::vec2>();
             mendUnusedNormals();
         }
         return std::move(mesh_);
@@ -92,7 +115,7 @@ private:
         std::uint32_t flatNormal = kNoNormal; // made when a corner needs it
         polygon_.clear();
         for (const Corner& corner : corners) {
-            polygon_.push_back(isSmooth_ ? smoothIndex(index, corner, area, flatNormal) : corner.position);
+            polygon_.push_back(vertexIndex(index, corner, area, flatNormal));
         }
         for (std::size_t k = 1; k + 1 < count; ++k) {
             mesh_.triangles.emplace_back(polygon_[start], polygon_[(start + k) % count],
@@ -112,28 +135,33 @@ private:
     // Zero normals that no polygon uses harm nobody.
     void mendUnusedNormals() { std::replace(mesh_.normals.begin(), mesh_.normals.end(), glm::vec3(0), kAnyDirection); }
 
-    // The mesh's index of a position together with its normal.
-    std::uint32_t smoothIndex(std::size_t polygon, const Corner& corner, const glm::dvec3& area,
+    // The mesh's index of a position together with its normal and texture coordinates.
+    std::uint32_t vertexIndex(std::size_t polygon, const Corner& corner, const glm::dvec3& area,
                               std::uint32_t& flatNormal) {
-        if (normalsMatch_) {
-            if (mesh_.normals[corner.normal] == glm::vec3(0)) {
+        if (numbersMatch_) {
+            if (isSmooth_ && mesh_.normals[corner.normal] == glm::vec3(0)) {
                 failZeroNormal(polygon);
             }
             return corner.position;
         }
         std::uint32_t normalIndex = corner.normal;
-        if (normalIndex == kNoNormal) {
+        if (isSmooth_ && normalIndex == kNoNormal) {
             if (flatNormal == kNoNormal) {
                 // Numbers after those of the soup stand for the flat polygons' own normals.
                 flatNormal = static_cast<std::uint32_t>(soup_.normals.size() + flatPolygons_++);
             }
             normalIndex = flatNormal;
         }
-        const std::uint64_t key = std::uint64_t{corner.position} << 32U | normalIndex;
+        const Vertex key{corner.position, normalIndex, corner.uv};
         const auto [found, isNew] = indices_.try_emplace(key, static_cast<std::uint32_t>(mesh_.positions.size()));
         if (isNew) {
             mesh_.positions.push_back(soup_.positions[corner.position]);
-            mesh_.normals.push_back(corner.normal == kNoNormal ? flatDirection(area) : unitNormal(polygon, corner));
+            if (isSmooth_) {
+                mesh_.normals.push_back(corner.normal == kNoNormal ? flatDirection(area) : unitNormal(polygon, corner));
+            }
+            if (hasUvs_) {
+                mesh_.uvs.push_back(corner.uv == kNoUv ? glm::vec2(0) : soup_.uvs[corner.uv]);
+            }
         }
         return found->second;
     }
@@ -159,10 +187,11 @@ private:
     PolygonSoup soup_;
     Mesh mesh_;
     bool isSmooth_ = false;
-    bool normalsMatch_ = false; // every corner's normal has the number of its position
+    bool hasUvs_ = false;
+    bool numbersMatch_ = false; // every corner's normal and texture coordinates have the number of its position
     std::vector<std::uint32_t> polygon_;
     std::size_t flatPolygons_ = 0;
-    std::unordered_map<std::uint64_t, std::uint32_t> indices_;
+    std::unordered_map<Vertex, std::uint32_t, VertexHash> indices_;
 };
 
 } // namespace

@@ -1,5 +1,5 @@
-// What mesh files have in common: positions, normals, and polygons whose corners index both. Turned into a Mesh here,
-// so that triangulation and the treatment of normals are the same for every format.
+// What mesh files have in common: positions, normals, texture coordinates, and polygons whose corners index them.
+// Turned into a Mesh here, so that triangulation and the treatment of normals are the same for every format.
 #pragma once
 
 #include "base/error.h"
@@ -11,10 +11,12 @@
 namespace hyalite {
 
 inline constexpr std::uint32_t kNoNormal = 0xffffffffU;
+inline constexpr std::uint32_t kNoUv = 0xffffffffU;
 
 struct Corner {
     std::uint32_t position = 0;       // in PolygonSoup::positions
     std::uint32_t normal = kNoNormal; // in PolygonSoup::normals
+    std::uint32_t uv = kNoUv;         // in PolygonSoup::uvs
 };
 
 struct Polygon {
@@ -25,12 +27,14 @@ struct Polygon {
 struct PolygonSoup {
     std::vector<glm::vec3> positions; // object space [m], finite
     std::vector<glm::vec3> normals;   // of any length
+    std::vector<glm::vec2> uvs;       // finite
     std::vector<Corner> corners;      // indices in range
     std::vector<Polygon> polygons;    // three corners or more
 };
 
-// Splits every polygon into a fan of triangles and gives every corner one index: where corners carry normals, a
-// position is repeated for each normal it is used with, and polygons without normals in such a mesh stay flat.
+// Splits every polygon into a fan of triangles and gives every corner one index: where corners carry normals or texture
+// coordinates, a position is repeated for each pair of these it is used with. Polygons without normals in a mesh that
+// has some stay flat; corners without texture coordinates in a mesh that has some get (0, 0).
 // Throws Error(BadInput) at a polygon that no fan covers (it is not convex), at a zero normal, when there is no
 // polygon and when there are too many.
 [[nodiscard]] Mesh buildMesh(PolygonSoup soup, const std::string& file);

@@ -4,9 +4,14 @@
 #include "scene/reader.h"
 #include "scene/scene.h"
 
+#include <filesystem>
+
 namespace hyalite {
 
-// One item of `lights:`, added to the scene. Throws Error(BadInput).
-void readLight(const Value& value, Scene& scene);
+// One item of `lights:`, added to the scene; the paths of images are relative to `folder`. Throws Error(BadInput).
+void readLight(const Value& value, const std::filesystem::path& folder, Scene& scene);
+
+// The `photon_share` of a light or an object.
+[[nodiscard]] double readPhotonShare(Reader& reader);
 
 } // namespace hyalite

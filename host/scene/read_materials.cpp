@@ -1,6 +1,9 @@
 // See read_materials.h. A new material is a reader here and a row of kMaterials.
 #include "scene/read_materials.h"
 
+#include "scene/read_textures.h"
+#include "scene/scene_limits.h"
+
 #include <array>
 
 namespace hyalite {
@@ -9,23 +12,25 @@ namespace {
 constexpr Range kFraction{0, 1};
 constexpr Range kIor{0.01, 100}; // glass 1.5, diamond 2.4; below 1: a bubble in glass
 constexpr Range kExtinction{0, 100};
+constexpr Range kAbsorption{0, 1 / kSmallestLength, true, true, "1/m"};
 
-MaterialModel readDiffuse(Reader& reader) {
+MaterialModel readDiffuse(Reader& reader, const Scene& scene, Material& material) {
     Diffuse diffuse;
-    reader.optionalColor("albedo", diffuse.albedo, kFraction);
+    readTexturedColor(reader, "albedo", kFraction, scene, diffuse.albedo, material.colorTexture);
     return diffuse;
 }
 
-MaterialModel readMirror(Reader& reader) {
+MaterialModel readMirror(Reader& reader, const Scene& scene, Material& material) {
     Mirror mirror;
-    reader.optionalColor("reflectance", mirror.reflectance, kFraction);
+    readTexturedColor(reader, "reflectance", kFraction, scene, mirror.reflectance, material.colorTexture);
     return mirror;
 }
 
-MaterialModel readDielectric(Reader& reader) {
+MaterialModel readDielectric(Reader& reader, const Scene& /*scene*/, Material& /*has no textures*/) {
     Dielectric dielectric;
     reader.optional("ior", dielectric.ior, kIor);
     reader.optional("roughness", dielectric.roughness, kFraction);
+    reader.optionalColor("absorption", dielectric.absorption, kAbsorption);
     return dielectric;
 }
 
@@ -37,7 +42,7 @@ constexpr std::array<Choice<Conductor>, 4> kMetals{{
     {"aluminium", {{1.657, 0.880, 0.521}, {9.224, 6.270, 4.837}}},
 }};
 
-MaterialModel readConductor(Reader& reader) {
+MaterialModel readConductor(Reader& reader, const Scene& /*scene*/, Material& /*has no textures*/) {
     Conductor conductor;
     if (const auto metal = reader.find("metal")) {
         conductor = choose<Conductor>(*metal, "metal", kMetals);
@@ -59,15 +64,21 @@ MaterialModel readConductor(Reader& reader) {
     return conductor;
 }
 
-MaterialModel readMetallicRoughness(Reader& reader) {
-    MetallicRoughness material;
-    reader.optionalColor("base_color", material.baseColor, kFraction);
-    reader.optional("metallic", material.metallic, kFraction);
-    reader.optional("roughness", material.roughness, kFraction);
-    return material;
+MaterialModel readMetallicRoughness(Reader& reader, const Scene& scene, Material& material) {
+    MetallicRoughness model;
+    readTexturedColor(reader, "base_color", kFraction, scene, model.baseColor, material.colorTexture);
+    if (const auto texture = reader.find("metallic_roughness_texture")) {
+        material.roughnessTexture = readTextureReference(*texture, scene);
+        model.metallic = 1; // to be multiplied by the texture
+        model.roughness = 1;
+    }
+    reader.optional("metallic", model.metallic, kFraction);
+    reader.optional("roughness", model.roughness, kFraction);
+    return model;
 }
 
-using ReadModel = MaterialModel (*)(Reader&);
+// Sets the material's textures, too.
+using ReadModel = MaterialModel (*)(Reader&, const Scene&, Material&);
 constexpr std::array<Choice<ReadModel>, 5> kMaterials{{
     {"diffuse", readDiffuse},
     {"mirror", readMirror},
@@ -78,10 +89,12 @@ constexpr std::array<Choice<ReadModel>, 5> kMaterials{{
 
 } // namespace
 
-Material readMaterial(const Value& value) {
+Material readMaterial(const Value& value, const Scene& scene) {
     Reader reader(value);
     const auto read = choose<ReadModel>(reader.require("type"), "material type", kMaterials);
-    Material material{value.name(), read(reader)};
+    Material material;
+    material.name = value.name();
+    material.model = read(reader, scene, material);
     reader.finish();
     return material;
 }

@@ -2,9 +2,12 @@
 #include "scene/read_meshes.h"
 
 #include "scene/bounds.h"
+#include "scene/input_file.h"
 #include "scene/mesh_import.h"
 #include "scene/quadric.h"
+#include "scene/read_textures.h"
 #include "scene/read_transform.h"
+#include "scene/scene_limits.h"
 #include "scene/teapot.h"
 
 namespace hyalite {
@@ -25,16 +28,36 @@ MeshInstance placedMesh(const Reader& reader, const Surroundings& around, std::s
     return instance;
 }
 
-// Where the file's materials stand in the scene; they are put there when first asked for.
-std::size_t sceneMaterial(const Value& file, std::size_t material, const Surroundings& around, MeshParts& parts) {
-    if (!parts.firstMaterial) {
-        parts.firstMaterial = around.scene.materials.size();
-        for (std::size_t i = 0; i < parts.materials.size(); ++i) {
-            const std::string name = file.text() + " materials[" + std::to_string(i) + ']';
-            around.scene.materials.push_back({name, sceneModel(parts.materials[i])});
-        }
+// Puts a texture of the mesh file into the scene. Every material has its own: files that share one are few.
+std::optional<std::size_t> sceneTexture(const Value& file, const std::optional<ImportedTexture>& texture,
+                                        Encoding encoding, Scene& scene) {
+    if (!texture) {
+        return std::nullopt;
     }
-    return *parts.firstMaterial + material;
+    const std::string name = file.text() + ' ' + texture->place;
+    if (!texture->refusal.empty()) {
+        file.fail(texture->place + ": this texture cannot be shown: " + texture->refusal,
+                  "give the object a material of the scene");
+    }
+    const bool isFile = !texture->file.empty();
+    const std::string bytes =
+        isFile ? readInputFile(texture->file, kLargestTextureFile, "texture", file.where()) : texture->bytes;
+    scene.textures.push_back(
+        {name, decodeTexture(std::as_bytes(std::span(bytes)), isFile ? texture->file.string() : name, encoding)});
+    return scene.textures.size() - 1;
+}
+
+// Where a material of the file stands in the scene; it is put there when first asked for.
+std::size_t sceneMaterial(const Value& file, std::size_t material, const Surroundings& around, MeshParts& parts) {
+    const auto [known, isNew] = parts.sceneMaterials.try_emplace(material, around.scene.materials.size());
+    if (isNew) {
+        const ImportedMaterial& imported = parts.materials[material];
+        Scene& scene = around.scene;
+        scene.materials.push_back({file.text() + " materials[" + std::to_string(material) + ']', sceneModel(imported),
+                                   sceneTexture(file, imported.baseColorTexture, Encoding::Srgb, scene),
+                                   sceneTexture(file, imported.metallicRoughnessTexture, Encoding::Linear, scene)});
+    }
+    return known->second;
 }
 
 void readParts(const Reader& reader, const Value& file, const Surroundings& around) {

@@ -3,10 +3,13 @@
 #pragma once
 
 #include "base/error.h"
+#include "image/image.h"
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -18,24 +21,49 @@ struct Camera {
     glm::dvec3 position{0, 0, 5}; // [m]
     glm::dvec3 lookAt{0, 0, 0};   // [m]
     glm::dvec3 up{0, 1, 0};
-    double fov = 45; // vertical [degrees], in (0, 180)
+    double fov = 45;          // vertical [degrees], in (0, 180)
+    double aperture = 0;      // diameter of the lens [m]; 0: a pinhole
+    double focusDistance = 0; // along the view to the plane that is sharp [m]; 0: that of lookAt
     glm::uvec2 resolution{512, 512};
 };
 
-enum class Integrator { Whitted, Ppm };
+enum class Integrator { Whitted, Ppm, PhotonMap, Path };
+
+// Integrator photonmap: two passes, photons from the lights and rays from the eye [Jensen01].
+enum class PhotonStructure { Tree, Grid };
+enum class PhotonFilter { None, Cone, Gaussian };
+enum class PhotonView { Picture, GlobalMap, CausticMap, Photons, Radius };
+
+struct PhotonMapSettings {
+    std::uint32_t causticPhotons = 100000; // aimed at mirrors and glass, besides RenderSettings::photons; 0: none
+    bool projectionMap = true;             // aim them; false: emit them like the others
+    PhotonStructure structure = PhotonStructure::Tree;
+    std::uint32_t nearest = 100;        // photons of one estimate from the global map
+    std::uint32_t causticNearest = 60;  // and from the caustic map
+    double causticRadius = 0;           // they lie no farther than this [m]; 0: 1/25 of the radius of the scene's sphere
+    PhotonFilter filter = PhotonFilter::None;
+    PhotonFilter causticFilter = PhotonFilter::Cone;
+    double coneConstant = 1.1;          // k of the cone filter, >= 1
+    bool differentialChecking = false;  // stop an estimate from the caustic map where it would blur an edge
+    std::uint32_t gatherRays = 1;       // of final gathering, per sample; 0: indirect light straight from the global map
+    bool precomputedIrradiance = true;  // final gathering looks up irradiance computed at the photons beforehand
+    std::uint32_t shadowPhotons = 0;    // so many that agree replace a shadow ray; 0: all shadow rays are traced
+    PhotonView view = PhotonView::Picture;
+};
 
 struct RenderSettings {
     Integrator integrator = Integrator::Ppm;
     std::uint32_t maxDepth =
-        12; // ppm: segments of a whole path, 1..255; whitted: reflections and refractions in a row, 0..254
+        12; // ppm, path: segments of a whole path, 1..255; whitted: reflections and refractions in a row, 0..254
     std::uint32_t passes = 64;      // >= 1
     std::uint32_t photons = 200000; // emitted per pass, >= 1
     std::uint32_t seed = 1;
-    double radius =
-        0; // ppm: search radius of the first pass [m]; 0: 1/100 of the radius of the scene's bounding sphere
+    double radius = 0; // [m]; ppm: search radius of the first pass, 0: 1/100 of the radius of the scene's bounding
+                       // sphere; photonmap: the photons of an estimate lie no farther, 0: 1/8 of that radius
     double alpha = 2.0 / 3.0; // ppm: how much of the photons a shrinking radius keeps [Knaus11], in (0, 1)
     double minWeight =
         1.0 / 1024; // whitted: rays that would add less than this share to the pixel are not followed; 0: all are
+    PhotonMapSettings photonMap;
 };
 
 struct Diffuse {
@@ -45,8 +73,9 @@ struct Mirror {
     glm::dvec3 reflectance{1}; // [0, 1]
 };
 struct Dielectric {
-    double ior = 1.5;     // inside over outside, > 0
-    double roughness = 0; // [0, 1]
+    double ior = 1.5;         // inside over outside, > 0
+    double roughness = 0;     // [0, 1]
+    glm::dvec3 absorption{0}; // coefficient inside [1/m]
 };
 struct Conductor { // metal of the complex index eta + i k
     glm::dvec3 eta{1};
@@ -60,14 +89,64 @@ struct MetallicRoughness {     // glTF's model: a metal, a diffuse base under a 
 };
 using MaterialModel = std::variant<Diffuse, Mirror, Dielectric, Conductor, MetallicRoughness>;
 
+// Two colours in cubes of the world, or in squares of the surface's coordinates (u, v), by turns.
+struct Checker {
+    std::array<glm::dvec3, 2> colors{glm::dvec3(0.2), glm::dvec3(0.8)}; // [0, 1]; the first from the origin on
+    double size = 0.1;                                                  // edge of a cell [m], or in units of u and v
+    bool inWorld = true;
+};
+// A picture over the unit square of (u, v), v upwards, repeated beyond it.
+struct ImageTexture {
+    std::shared_ptr<const Image> image; // [0, 1]
+};
+using TextureModel = std::variant<Checker, ImageTexture>;
+
+struct Texture {
+    std::string name;
+    TextureModel model;
+};
+
 struct Material {
     std::string name;
     MaterialModel model;
+    std::optional<std::size_t> colorTexture = {};     // in Scene::textures; multiplies the model's colour
+    std::optional<std::size_t> roughnessTexture = {}; // likewise: green times roughness, blue times metallic
 };
 
+// Lights, and objects that emit: photons and light samples are theirs in proportion to power times `photonShare` (> 0).
 struct PointLight {
     glm::dvec3 position{0};  // [m]
     glm::dvec3 intensity{1}; // [W/sr]
+    double photonShare = 1;
+};
+// Full intensity up to (1 - blend) angle from the axis, none from `angle` on; between them 3 t^2 - 2 t^3, where t goes
+// evenly in the cosine.
+struct SpotLight {
+    glm::dvec3 position{0};         // [m]
+    glm::dvec3 direction{0, -1, 0}; // unit, where the axis goes
+    glm::dvec3 intensity{1};        // on the axis [W/sr]
+    double angle = 30;              // from the axis [degrees], in (0, 180]
+    double blend = 0.1;             // [0, 1]
+    double photonShare = 1;
+};
+// Parallel light: all over the scene from beyond it or, with a beam, from a disc on and no wider than it.
+struct DirectionalLight {
+    struct Beam {
+        glm::dvec3 center{0}; // [m]
+        double radius = 1;    // [m], > 0
+    };
+    glm::dvec3 direction{0, -1, 0};          // unit, where the light goes
+    glm::dvec3 irradiance{1};                // of a surface that faces it [W/m^2]
+    std::optional<Beam> beam = std::nullopt; // none: light everywhere
+    double photonShare = 1;
+};
+// Light from beyond the scene. The middle of the image is seen along -z, its upper edge is +y; radiance is constant
+// over each pixel.
+struct Environment {
+    Image image;         // equirectangular [W/(m^2 sr)], finite and not negative; one pixel: the same everywhere
+    double scale = 1;    // of the image's values
+    double rotation = 0; // about +y, counter-clockwise [degrees]
+    double photonShare = 1;
 };
 
 // Axis-aligned box [m]; empty until a point is added, and its sides may be infinite.
@@ -142,8 +221,9 @@ using Shape = std::variant<Sphere, Quad, Disk, Plane, Quadric, Torus, MeshInstan
 struct Object {
     Shape shape;
     std::optional<std::size_t> material; // in Scene::materials; none: reflects nothing
-    glm::dvec3 emission{0};              // quads, disks, spheres: radiance of the front [W/(m^2 sr)]
+    glm::dvec3 emission{0};              // quads, disks, spheres, meshes: radiance of the front [W/(m^2 sr)]
     SourceLocation where;
+    double photonShare = 1; // where it emits
 };
 
 struct Mesh {
@@ -151,15 +231,19 @@ struct Mesh {
     std::vector<glm::vec3> positions;  // object space [m]
     std::vector<glm::vec3> normals;    // per position, unit; empty: flat shading
     std::vector<glm::uvec3> triangles; // indices into positions, counter-clockwise from the front
-    std::vector<glm::vec2> uvs;        // texture coordinates per position; empty: none
+    std::vector<glm::vec2> uvs;        // per position, v upwards; empty: none
 };
 
 struct Scene {
     std::string file;
     Camera camera;
     RenderSettings render;
+    std::vector<Texture> textures;
     std::vector<Material> materials;
+    std::optional<Environment> environment;
     std::vector<PointLight> lights; // emitting objects are lights too
+    std::vector<SpotLight> spots;
+    std::vector<DirectionalLight> directionals;
     std::vector<Object> objects;
     std::vector<Object> csgLeaves; // closed shapes, none of them Csg or Quad or Disk; each with its own material
     std::vector<Mesh> meshes;

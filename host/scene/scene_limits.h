@@ -26,12 +26,16 @@ inline constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 28U;
 // Photons of one pass: their numbers are kept in 24 bits.
 inline constexpr std::uint32_t kMostPhotons = 1U << 24U;
 
-// Bytes of a scene file and of a mesh file, read into memory as a whole.
+// Bytes of a scene file, of a texture's and of a mesh file, read into memory as a whole.
 inline constexpr std::size_t kLargestSceneFile = std::size_t{64} << 20U;
+inline constexpr std::size_t kLargestTextureFile = std::size_t{1} << 30U;
 inline constexpr std::size_t kLargestMeshFile = std::size_t{2} << 30U;
 
 // Triangles of one mesh: a BVH leaf keeps the first one's index in 27 bits.
 inline constexpr std::size_t kMostTriangles = std::size_t{1} << 27U;
+
+// Pixels of one texture: a quarter of what lavapipe shows in one table of texels, which all of a scene share.
+inline constexpr std::size_t kMostTexels = std::size_t{1} << 25U;
 
 // Copies of one object by `repeat`: each takes about a kilobyte on the way to the device.
 inline constexpr std::uint32_t kMostCopies = 1U << 22U;

@@ -1,6 +1,7 @@
 // See settings.h.
 #include "scene/settings.h"
 
+#include "scene/photon_map_settings.h"
 #include "scene/scene_limits.h"
 #include "scene/spelling.h"
 #include "shaders/shared/limits.h"
@@ -14,6 +15,8 @@ namespace {
 constexpr Range kCoordinate{-kLargestLength, kLargestLength, true, true, "m"};
 constexpr Range kDirection{-kLargestLength, kLargestLength};
 constexpr Range kFov{0, 180, false, false, "degrees"};
+constexpr Range kAperture{0, kLargestLength, true, true, "m"};
+constexpr Range kFocus{kSmallestLength, kLargestLength, true, true, "m"};
 constexpr Range kSide{1, kLargestSide, true, true, "pixels"};
 constexpr Range kCount{1, std::numeric_limits<std::uint32_t>::max()};
 constexpr Range kPhotons{1, kMostPhotons};
@@ -25,9 +28,11 @@ constexpr Range kShare{0, 1};
 constexpr Range kWhittedDepth{0, shared::kMaxDepth - 1};
 constexpr Range kPpmDepth{1, shared::kMaxDepth};
 
-constexpr std::array<Choice<Integrator>, 2> kIntegrators{{
+constexpr std::array<Choice<Integrator>, 4> kIntegrators{{
     {"whitted", Integrator::Whitted},
     {"ppm", Integrator::Ppm},
+    {"photonmap", Integrator::PhotonMap},
+    {"path", Integrator::Path},
 }};
 
 // The place of a key, or of the map around it when the key is not written there.
@@ -44,6 +49,8 @@ void readCamera(const Value& value, Camera& camera) {
     reader.optional("look_at", camera.lookAt, kCoordinate);
     reader.optional("up", camera.up, kDirection);
     reader.optional("fov", camera.fov, kFov);
+    reader.optional("aperture", camera.aperture, kAperture);
+    reader.optional("focus_distance", camera.focusDistance, kFocus);
     reader.optional("resolution", camera.resolution, kSide);
     reader.finish();
 
@@ -76,6 +83,7 @@ void readRenderSettings(const Value& value, RenderSettings& render) {
     reader.optional("radius", render.radius, kSearchRadius);
     reader.optional("alpha", render.alpha, kAlpha);
     reader.optional("min_weight", render.minWeight, kShare);
+    readPhotonMapSettings(reader, render.photonMap);
 
     // Checked even when the key is absent: the integrator may be what changed.
     const Range& depth = render.integrator == Integrator::Whitted ? kWhittedDepth : kPpmDepth;

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Starts the photons of a pass: a light in proportion to power, a point on it, a direction from it [Jensen01, ch. 5].
+// Starts the photons of a pass: a light in proportion to power and share, a ray from it [Jensen01, ch. 5].
 #include "shared/kernel_arguments.h"
 #include "lib/light.glsl"
 #include "lib/sampling.glsl"
@@ -16,10 +16,8 @@ void main() {
     Sampler s = photonSampler(args.sequence, photon);
     uint index = pickLight(args.lights, args.lightCount, sampleUnit(s, kPhotonLight).x);
     LightRecord light = args.lights.at[index];
-    LightPoint origin = pointOnLight(light, sampleUnit(s, kPhotonOrigin));
-    vec2 u = sampleUnit(s, kPhotonDirection);
-    vec3 direction = light.type == kLightPoint ? uniformSphere(u) : cosineHemisphere(u, origin.normal);
-    args.rays.at[photon] = Ray(origin.position, kInfinity, direction, 0u);
-    vec3 power = light.power / (light.pmf * float(args.count));
+    LightRay ray = emitFrom(light, sampleUnit(s, kPhotonOrigin), sampleUnit(s, kPhotonDirection));
+    args.rays.at[photon] = Ray(ray.origin, kInfinity, ray.direction, 0u);
+    vec3 power = ray.power / (light.pmf * float(args.count));
     args.paths.at[photon] = PhotonPath(power, photon, index, kPhotonDirect, kNone);
 }

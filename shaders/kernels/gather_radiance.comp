@@ -29,40 +29,6 @@ vec3 photonFlux(VisiblePoint x, vec3 normal, uint photon) {
     return rest.xyz * diffuseFactor(x.coat, dot(normalize(unpackDirection(direction, kDirectionBits)), x.normal));
 }
 
-// The photons that a query has to look at: four rows of two cells, each row one range of the sorted photons, and what
-// lies beyond the end of the table in the rare row that wraps around to bucket 0.
-struct Ranges {
-    uvec4 first;
-    uvec4 end;
-    uint wrappedEnd;
-};
-
-// A cell is as wide as the disc, which so reaches into two cells along each axis. Different cells may share a bucket:
-// a bucket that an earlier row holds is left out of a later one, so that no photon is met twice.
-Ranges candidateRanges(vec3 position) {
-    ivec3 low = cellOf(position - args.radius, args.grid);
-    uint mask = args.grid.bucketMask;
-    uvec4 bucket;
-    Ranges ranges;
-    ranges.wrappedEnd = 0u;
-    for (int row = 0; row < 4; ++row) {
-        bucket[row] = cellBucket(low + ivec3(0, row & 1, row >> 1), mask);
-        bool takeFirst = true, takeSecond = true;
-        for (int earlier = 0; earlier < row; ++earlier) {
-            uint ahead = (bucket[row] - bucket[earlier]) & mask;
-            takeFirst = takeFirst && ahead != 0u && ahead != 1u;
-            takeSecond = takeSecond && ahead != 0u && ahead != mask;
-        }
-        bool wraps = bucket[row] == mask;
-        ranges.first[row] = args.cellStarts.at[bucket[row] + (takeFirst ? 0u : 1u)];
-        ranges.end[row] = args.cellStarts.at[bucket[row] + (takeSecond && !wraps ? 2u : 1u)];
-        if (wraps && takeSecond) {
-            ranges.wrappedEnd = args.cellStarts.at[1];
-        }
-    }
-    return ranges;
-}
-
 void main() {
     uint i = threadIndex();
     if (i >= args.count) {
@@ -72,7 +38,7 @@ void main() {
     vec3 flux = vec3(0.0);
     if (x.depth != 0u) {
         vec3 normal = normalize(unpackDirection(x.geometricNormal, 16u));
-        Ranges ranges = candidateRanges(x.position);
+        Ranges ranges = candidateRanges(x.position, args.radius, args.grid, args.cellStarts);
         // One loop over all rows: neighbouring threads stay together although their rows differ in length
         int row = 0;
         uint photon = ranges.first.x;

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Picks a point on a light for each visible point, and says which shadow ray decides whether its light arrives.
+// Picks a direction to a light for each visible point, and says which shadow ray decides whether its light arrives.
 #include "shared/kernel_arguments.h"
 #include "lib/diffuse.glsl"
 #include "lib/light.glsl"
@@ -20,21 +20,18 @@ void main() {
         return;
     }
     uint vertex = x.depth - 1u;
-    bool one = args.light == kNone; // one light in proportion to power; else the light asked for, with its own numbers
+    // One light in proportion to power and share, or the light asked for, with its own numbers
+    bool one = args.light == kNone;
     Sampler s = Sampler(one ? x.samplerSeed : hashCombine(x.samplerSeed, args.light), args.pass);
     uint index = one ? pickLight(args.lights, args.lightCount, sampleUnit(s, cameraLightChoice(vertex)).x) : args.light;
     LightRecord light = args.lights.at[index];
 
-    LightPoint point = pointFacing(light, x.position, sampleUnit(s, cameraLightPoint(vertex)));
-    vec3 toLight = point.position - x.position;
-    float distance2 = dot(toLight, toLight);
-    float distance = sqrt(distance2);
-    vec3 wi = toLight / distance;
-    float cosine = dot(x.normal, wi);
+    LightSample toLight = sampleLight(light, x.position, sampleUnit(s, cameraLightPoint(vertex)));
+    float cosine = dot(x.normal, toLight.direction);
     vec3 f = x.f * diffuseFactor(x.coat, cosine);
-    vec3 contribution = f * arrivingFlux(light, point.normal, -wi, distance2) * cosine / (one ? light.pmf : 1.0);
+    vec3 contribution = f * toLight.irradiance * cosine / (one ? light.pmf : 1.0);
     if (maxComponent(contribution) > 0.0) { // also false when the light is behind the surface or touches it
-        args.shadowRays.at[i] = Ray(x.position, distance, wi, x.from);
+        args.shadowRays.at[i] = Ray(x.position, toLight.distance, toLight.direction, x.from);
         args.contributions.at[i] = contribution;
     }
 }

@@ -27,18 +27,14 @@ void main() {
     LightRecord light = args.lights.at[index];
     float pmf = one ? light.pmf : 1.0;
 
-    LightPoint point = pointFacing(light, x.position, sampleUnit(s, cameraLightPoint(vertex)));
-    bool through = dot(point.position - x.position, x.geometricNormal) < 0.0;
+    vec2 u = sampleUnit(s, cameraLightPoint(vertex));
+    bool through = dot(sampleLight(light, x.position, u).direction, x.geometricNormal) < 0.0;
     vec3 origin = x.position + (through ? -x.error : x.error) * x.geometricNormal;
-    vec3 toLight = point.position - origin;
-    float distance2 = dot(toLight, toLight);
-    float distance = sqrt(distance2);
-    vec3 wi = toLight / distance;
-    BsdfValue value = evaluateLobe(x.lobe, x.normal, x.geometricNormal, x.wo, wi);
-    float pdfLight = pmf * lightPdfW(light, point.normal, -wi, distance2);
-    float weight = pdfLight > 0.0 ? powerHeuristic(pdfLight, value.pdfW) : 1.0;
-    vec3 contribution = x.beta * value.fCos * arrivingFlux(light, point.normal, -wi, distance2) * (weight / pmf);
-    Ray shadow = Ray(origin, distance, wi, through ? x.from ^ kRayInside : x.from);
+    LightSample toLight = sampleLight(light, origin, u); // the same place of the light
+    BsdfValue value = evaluateLobe(x.lobe, x.normal, x.geometricNormal, x.wo, toLight.direction);
+    float weight = toLight.pdfW > 0.0 ? powerHeuristic(pmf * toLight.pdfW, value.pdfW) : 1.0;
+    vec3 contribution = x.beta * value.fCos * toLight.irradiance * (weight / pmf);
+    Ray shadow = Ray(origin, toLight.distance, toLight.direction, through ? x.from ^ kRayInside : x.from);
     // No contribution: the light is turned away or touches the surface
     if (maxComponent(contribution) > 0.0 && traceScene(args.rootNode, shadow, true).object == kNone) {
         args.direct.at[x.result] += contribution;

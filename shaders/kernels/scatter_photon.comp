@@ -5,9 +5,11 @@
 // longest path: that one belongs to the camera.
 #include "shared/kernel_arguments.h"
 #include "lib/bsdf.glsl"
+#include "lib/medium.glsl"
 #include "lib/photon.glsl"
 #include "lib/sampling.glsl"
 #include "lib/surface.glsl"
+#include "lib/texture.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { ScatterPhotonArguments args; };
@@ -17,7 +19,9 @@ bool isWanted(uint kind) {
 }
 
 void store(uint slot, Surface s, vec3 direction, PhotonPath path) {
-    args.photons.at[slot] = Photon(s.position, packUnitVector(-direction, kDirectionBits), path.power,
+    bool marked = (path.photon + args.depth) % kMarkEvery == 0u;
+    uint mark = marked ? kMarkedPhoton : 0u;
+    args.photons.at[slot] = Photon(s.position, packUnitVector(-direction, kDirectionBits) | mark, path.power,
                                    packSurface(s.normal, path.kind,
                                                path.kind == kPhotonDirect ? path.light : args.depth));
 }
@@ -26,6 +30,7 @@ void follow(uint i, Surface s, BsdfSample next, PhotonPath path, vec3 power, uin
     args.nextRays.at[i] = leaveSurface(s, next.direction, next.through);
     path.power = power;
     path.kind = kind;
+    path.medium = next.through ? (s.front ? s.material : kNone) : path.medium;
     args.nextPaths.at[i] = path;
     args.alive.at[i] = 1u;
 }
@@ -86,11 +91,14 @@ void main() {
     }
     Ray ray = args.rays.at[i];
     Surface s = surfaceAt(ray, hit, args.normals, args.instances);
+    vec3 started = path.power;
+    path.power *= transmittance(args.materials, path.medium, hit.t);
+    vec3 lost = started - path.power; // in glass, on the way here
     if (s.material == kNone) {
-        account(path, vec3(0.0), path.power, vec3(0.0), vec3(0.0));
+        account(path, vec3(0.0), started, vec3(0.0), vec3(0.0));
         return;
     }
-    MaterialRecord material = args.materials.at[s.material];
+    MaterialRecord material = texturedMaterial(args.materials.at[s.material], s);
     bool diffuse = hasDiffusePart(material);
     Lobe lobe = lobeOf(material, s.front);
     if (diffuse && isWanted(path.kind)) {
@@ -106,5 +114,5 @@ void main() {
         onward = scatter(i, s, material, lobe, -ray.direction, path);
     }
     vec3 left = path.power - onward - cutOff;
-    account(path, diffuse ? left : vec3(0.0), diffuse ? vec3(0.0) : left, vec3(0.0), cutOff);
+    account(path, diffuse ? left : vec3(0.0), (diffuse ? vec3(0.0) : left) + lost, vec3(0.0), cutOff);
 }

@@ -7,8 +7,10 @@
 #include "shared/kernel_arguments.h"
 #include "lib/bsdf.glsl"
 #include "lib/light.glsl"
+#include "lib/medium.glsl"
 #include "lib/sampling.glsl"
 #include "lib/surface.glsl"
+#include "lib/texture.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { ShadeSurfaceArguments args; };
@@ -23,20 +25,21 @@ void follow(uint slot, Surface s, BsdfSample next, CameraPath path, uint sampler
         return;
     }
     path.samplerSeed = samplerSeed;
+    path.medium = next.through ? (s.front ? s.material : kNone) : path.medium;
     path.pdfW = next.pdfW;
     args.nextRays.at[slot] = leaveSurface(s, next.direction, next.through);
     args.nextPaths.at[slot] = path;
     args.alive.at[slot] = 1u;
 }
 
-// Emission counts in full where no light was sampled for the path's direction.
-float emissionWeight(Surface s, Ray ray, float t, CameraPath path) {
+// Emission counts in full where no light was sampled for the path's direction. The normal is the light's where the ray
+// meets it, `distance` away.
+float emissionWeight(LightRecord light, Ray ray, float distance, vec3 normal, CameraPath path) {
     if (!sceneHasRoughLobes() || path.pdfW == 0.0) {
         return 1.0;
     }
-    LightRecord light = args.lights.at[s.light];
-    float pdfLight = (args.split != 0u ? 1.0 : light.pmf) * lightPdfW(light, s.geometricNormal, -ray.direction, t * t);
-    return powerHeuristic(path.pdfW, pdfLight);
+    float pmf = args.split != 0u ? 1.0 : light.pmf;
+    return powerHeuristic(path.pdfW, pmf * lightPdf(light, ray.origin, ray.direction, distance, normal));
 }
 
 VisiblePoint visibleAt(Surface s, DiffusePart diffuse, CameraPath path, float cosOut, float probability) {
@@ -114,14 +117,22 @@ void main() {
     VisiblePoint visible = VisiblePoint(vec3(0.0), 0u, vec3(0.0), path.samplerSeed, vec3(0.0), path.pixel, 0u, 0u, 0.0);
     vec3 emitted = vec3(0.0);
 
-    if (hit.object != kNone) {
-        Ray ray = args.rays.at[id];
+    Ray ray = args.rays.at[id];
+    if (hit.object == kNone) {
+        LightRecord light = args.lights.at[0];
+        if (light.type == kLightEnvironment) {
+            emitted = path.beta * environmentRadiance(light, ray.direction) *
+                      emissionWeight(light, ray, kInfinity, vec3(0.0), path);
+        }
+    } else {
         Surface s = surfaceAt(ray, hit, args.normals, args.instances);
+        path.beta *= transmittance(args.materials, path.medium, hit.t);
         if (s.light != kNone && s.front) {
-            emitted = path.beta * args.lights.at[s.light].emission * emissionWeight(s, ray, hit.t, path);
+            LightRecord light = args.lights.at[s.light];
+            emitted = path.beta * light.emission * emissionWeight(light, ray, hit.t, s.geometricNormal, path);
         }
         if (s.material != kNone) {
-            MaterialRecord material = args.materials.at[s.material];
+            MaterialRecord material = texturedMaterial(args.materials.at[s.material], s);
             scatter(slot, s, material, -ray.direction, path, visible);
         }
     }

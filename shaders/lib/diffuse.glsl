@@ -18,4 +18,9 @@ float diffuseFactor(float coat, float cosine) {
 
 // Makes up for the mean of the factor over the cosine-weighted hemisphere, 20/21.
 const float kCoatNormalization = 21.0 / 20.0;
+
+// That mean, for light that comes evenly from everywhere: the integral of 2 c (1 - c)^5 over c in [0, 1] is 1/21.
+float meanDiffuseFactor(float coat) {
+    return 1.0 - coat / 21.0;
+}
 #endif

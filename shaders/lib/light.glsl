@@ -1,8 +1,10 @@
-// Choosing a light, a point on it, and what it sends to a surface.
+// Choosing a light, what it sends to a surface, and what it sends into the scene [Jensen01, ch. 5].
 #ifndef HYALITE_LIGHT_GLSL
 #define HYALITE_LIGHT_GLSL
 #include "shared/scene_records.h"
+#include "lib/environment.glsl"
 #include "lib/sampling.glsl"
+#include "lib/spot.glsl"
 #include "lib/surface.glsl"
 
 // The first light whose cdf exceeds x in [0, 1): light i with probability pmf_i.
@@ -19,24 +21,45 @@ uint pickLight(LightArray lights, uint lightCount, float x) {
     return first;
 }
 
+// Has the light a surface, which emits on its front as much in every direction?
+bool isSurface(uint type) {
+    return type == kLightQuad || type == kLightDisk || type == kLightSphere || type == kLightMesh;
+}
+
+// Does its light come from beyond the scene?
+bool isEndless(uint type) {
+    return type == kLightDirectional || type == kLightEnvironment;
+}
+
 struct LightPoint {
     vec3 position; // moved off the emitting side by what the rounding of its coordinates may be
-    vec3 normal;   // unit; of no meaning on point lights
+    vec3 normal;   // unit; zero of lights without a surface
 };
 
 LightPoint pointOnSphere(LightRecord light, vec3 normal) {
-    float radius = light.edge0.x;
-    float error = kPositionError * (largestCoordinate(light.position) + radius);
-    return LightPoint(light.position + (radius + error) * normal, normal);
+    float error = kPositionError * (largestCoordinate(light.position) + light.radius);
+    return LightPoint(light.position + (light.radius + error) * normal, normal);
 }
 
-// Evenly distributed over the light's area.
+LightPoint pointOnMesh(LightRecord light, vec2 u) {
+    Choice choice = choose(light.cdfs, 0u, light.columns, u.x);
+    LightTriangle triangle = light.triangles.at[choice.index];
+    // The square, shrunk to a corner along one side: its density is uniform if the other side goes as a square root
+    float across = sqrt(choice.rest);
+    vec3 p = triangle.corner + across * ((1.0 - u.y) * triangle.edge0 + u.y * triangle.edge1);
+    return LightPoint(p + light.error * triangle.normal, triangle.normal);
+}
+
+// Evenly distributed over the light's area; the place of a light without a surface.
 LightPoint pointOnLight(LightRecord light, vec2 u) {
-    if (light.type == kLightPoint) {
+    if (!isSurface(light.type)) {
         return LightPoint(light.position, vec3(0.0));
     }
     if (light.type == kLightSphere) {
         return pointOnSphere(light, uniformSphere(u));
+    }
+    if (light.type == kLightMesh) {
+        return pointOnMesh(light, u);
     }
     vec2 at = light.type == kLightDisk ? concentricDisc(u) : u;
     vec3 p = light.position + at.x * light.edge0 + at.y * light.edge1;
@@ -53,23 +76,136 @@ LightPoint pointFacing(LightRecord light, vec3 receiver, vec2 u) {
     return pointOnSphere(light, dot(normal, receiver - light.position) < 0.0 ? -normal : normal);
 }
 
-// Irradiance-like weight [W/m^2 per unit cosine at the receiver] that the light sends from a point of pointFacing to a
-// receiver at squared distance `distance2` in the unit direction `fromLight`; the pdf of the point is divided out.
-vec3 arrivingFlux(LightRecord light, vec3 normal, vec3 fromLight, float distance2) {
-    if (light.type == kLightPoint) {
-        return light.emission / distance2;
-    }
-    float area = light.type == kLightSphere ? 0.5 * light.area : light.area;
-    return light.emission * (max(0.0, dot(fromLight, normal)) * area / distance2);
+// Area that pointFacing chooses from.
+float areaFacing(LightRecord light) {
+    return light.type == kLightSphere ? 0.5 * light.area : light.area;
 }
 
-// Density [1/sr] with which pointFacing takes a point that sends light in the unit direction `fromLight` over the
-// squared distance, normal as there; 0 for point lights, which no ray meets.
-float lightPdfW(LightRecord light, vec3 normal, vec3 fromLight, float distance2) {
-    if (light.type == kLightPoint) {
+// Does the line through a point pass the disc where the light's photons start? Of lights that have one.
+bool passesDisc(LightRecord light, vec3 point, vec3 direction) {
+    vec3 offset = point - light.position;
+    offset -= dot(offset, direction) * direction;
+    return dot(offset, offset) <= light.radius * light.radius;
+}
+
+// ---- From a receiver to the light
+
+// One direction from a receiver to a light.
+struct LightSample {
+    vec3 direction;  // unit, towards the light
+    float distance;  // [m]; kInfinity: beyond the scene
+    vec3 irradiance; // on a surface that faces the direction [W/m^2], the direction's density divided out
+    float pdfW;      // that density [1/sr]; 0: there was no choice, and no ray can hit the light
+};
+
+// Density [1/sr] with which sampleLight chooses the unit `direction` from a receiver that sees the light there, at this
+// distance and with this normal (neither matters where it comes from beyond the scene); 0 where it chooses none, at
+// lights that no ray can hit. The light's pmf is not in it.
+float lightPdf(LightRecord light, vec3 receiver, vec3 direction, float distance, vec3 lightNormal) {
+    if (light.type == kLightEnvironment) {
+        return environmentPdf(light, environmentRadiance(light, direction));
+    }
+    float cosLight = -dot(direction, lightNormal);
+    return isSurface(light.type) && cosLight > 0.0 ? distance * distance / (cosLight * areaFacing(light)) : 0.0;
+}
+
+LightSample sampleLight(LightRecord light, vec3 receiver, vec2 u) {
+    if (light.type == kLightDirectional) {
+        return LightSample(-light.normal, kInfinity, light.emission, 0.0);
+    }
+    if (light.type == kLightBeam) {
+        float along = dot(receiver - light.position, light.normal);
+        bool isLit = along > 0.0 && passesDisc(light, receiver, light.normal);
+        return LightSample(-light.normal, along, isLit ? light.emission : vec3(0.0), 0.0);
+    }
+    if (light.type == kLightEnvironment) {
+        vec3 direction = sampleEnvironment(light, u);
+        vec3 radiance = environmentRadiance(light, direction);
+        float pdfW = environmentPdf(light, radiance);
+        return LightSample(direction, kInfinity, pdfW > 0.0 ? radiance / pdfW : vec3(0.0), pdfW);
+    }
+    LightPoint point = pointFacing(light, receiver, u);
+    vec3 toLight = point.position - receiver;
+    float distance2 = dot(toLight, toLight);
+    float distance = sqrt(distance2);
+    vec3 direction = toLight / distance;
+    if (isSurface(light.type)) {
+        float cosLight = max(0.0, -dot(direction, point.normal));
+        return LightSample(direction, distance, light.emission * (cosLight * areaFacing(light) / distance2),
+                           lightPdf(light, receiver, direction, distance, point.normal));
+    }
+    float share = light.type == kLightSpot ? spotFalloff(light, -direction) : 1.0;
+    return LightSample(direction, distance, light.emission * (share / distance2), 0.0);
+}
+
+// ---- From the light into the scene
+
+// How a photon leaves a light. The density of the whole ray is that of the origin times that of the direction given the
+// origin; where light is parallel or comes from beyond the scene, of the direction times that of the origin.
+struct LightRay {
+    vec3 origin;        // world [m]
+    vec3 direction;     // unit
+    vec3 normal;        // unit, of the light at the origin; zero where it has no surface
+    vec3 power;         // flux [W] of the light if all its photons were like this one
+    float pdfDirection; // [1/sr], given the origin; 0: the origin was chosen for the direction
+    float pdfOrigin;    // [1/m^2] across the direction and given it; 0: the direction was chosen for the origin
+};
+
+// Flux [W] of the light if all that it emits were like its rays in `direction`: on average over emitFrom, its power.
+vec3 rayPower(LightRecord light, vec3 direction) {
+    if (light.type != kLightEnvironment) {
+        return light.power;
+    }
+    vec3 radiance = environmentRadiance(light, -direction);
+    float pdfW = environmentPdf(light, radiance);
+    return pdfW > 0.0 ? radiance * (light.area / pdfW) : vec3(0.0);
+}
+
+// Density [1/sr] with which emitFrom would send `direction` from a point with this normal; 0 where it never would, and
+// for parallel light.
+float emissionDensity(LightRecord light, vec3 normal, vec3 direction) {
+    if (isSurface(light.type)) {
+        return max(0.0, dot(normal, direction)) * kInvPi;
+    }
+    switch (light.type) {
+    case kLightPoint:
+        return 0.25 * kInvPi;
+    case kLightSpot:
+        return spotPdf(light, direction);
+    case kLightEnvironment:
+        return environmentPdf(light, environmentRadiance(light, -direction));
+    default:
         return 0.0;
     }
-    float area = light.type == kLightSphere ? 0.5 * light.area : light.area;
-    return distance2 / max(kTiny, dot(fromLight, normal) * area);
+}
+
+// Density [1/m^2], across `direction`, with which emitFrom starts its rays of this direction on the line through
+// `point`; 0 for lights that choose the origin first. Of parallel light the direction must be its own.
+float originDensity(LightRecord light, vec3 point, vec3 direction) {
+    bool hasDisc = light.type == kLightBeam || isEndless(light.type);
+    return hasDisc && passesDisc(light, point, direction) ? 1.0 / light.area : 0.0;
+}
+
+// From a disc across the direction that covers all the light is to reach.
+LightRay emitFromDisc(LightRecord light, vec3 direction, vec2 u) {
+    vec3 onDisc = fromLocal(vec3(light.radius * concentricDisc(u), 0.0), direction);
+    return LightRay(light.position - light.distance * direction + onDisc, direction, vec3(0.0),
+                    rayPower(light, direction), 0.0, 1.0 / light.area);
+}
+
+// A ray of the light's photons, whose density is in proportion to the flux.
+LightRay emitFrom(LightRecord light, vec2 uOrigin, vec2 uDirection) {
+    if (light.type == kLightEnvironment) {
+        return emitFromDisc(light, -sampleEnvironment(light, uDirection), uOrigin);
+    }
+    if (light.type == kLightDirectional || light.type == kLightBeam) {
+        return emitFromDisc(light, light.normal, uOrigin);
+    }
+    LightPoint point = pointOnLight(light, uOrigin);
+    vec3 direction = light.type == kLightPoint  ? uniformSphere(uDirection)
+                     : light.type == kLightSpot ? sampleSpot(light, uDirection)
+                                                : cosineHemisphere(uDirection, point.normal);
+    return LightRay(point.position, direction, point.normal, light.power,
+                    emissionDensity(light, point.normal, direction), 0.0);
 }
 #endif

@@ -28,6 +28,41 @@ vec2 sinCosTurns(float turns) {
     return (q & 2u) != 0u ? -sc : sc;
 }
 
+// e^x for x <= 0; 0 from x = -87 down. With x = k ln 2 + r and |r| <= ln 2 / 2, 2^k is exact, and the Taylor series of
+// e^r to r^7 is right to 6e-9. ln 2 is taken off in two parts, the first of which times k is exact.
+float exponential(float x) {
+    if (x <= -87.0) {
+        return 0.0;
+    }
+    float k = floor(1.44269504 * x + 0.5);
+    float r = (x - k * 0.693359375) + k * 2.12194440e-4;
+    float tail = 1.0 / 6.0 + r * (1.0 / 24.0 + r * (1.0 / 120.0 + r * (1.0 / 720.0 + r * (1.0 / 5040.0))));
+    return (1.0 + (r + r * r * (0.5 + r * tail))) * uintBitsToFloat(uint(int(k) + 127) << 23u);
+}
+
+// The angle from the x axis to (x, y) as a share of a full turn, in [-1/2, 1/2]; error below 1e-7. The arctangent of
+// more than tan(pi/8) is pi/4 and that of (t - 1) / (t + 1), so that the Taylor series is short.
+float angleInTurns(float y, float x) {
+    float across = min(abs(x), abs(y));
+    float along = max(max(abs(x), abs(y)), 1.0e-30);
+    float t = across / along;
+    bool isLarge = t > 0.414213562;
+    t = isLarge ? (t - 1.0) / (t + 1.0) : t;
+    float s = t * t;
+    float series = s * (-1.0 / 3.0 + s * (1.0 / 5.0 + s * (-1.0 / 7.0 + s * (1.0 / 9.0 + s * (-1.0 / 11.0
+                 + s * (1.0 / 13.0 + s * (-1.0 / 15.0)))))));
+    float turns = (isLarge ? 0.125 : 0.0) + 0.5 * kInvPi * (t + t * series);
+    turns = abs(y) > abs(x) ? 0.25 - turns : turns;
+    turns = x < 0.0 ? 0.5 - turns : turns;
+    return y < 0.0 ? -turns : turns;
+}
+
+// The same counter-clockwise, in [0, 1]; 0 for the zero vector.
+float turnsOf(float y, float x) {
+    float turns = angleInTurns(y, x);
+    return turns < 0.0 ? 1.0 + turns : turns;
+}
+
 float maxComponent(vec3 v) {
     return max(v.x, max(v.y, v.z));
 }

@@ -23,12 +23,16 @@ uint photonLength(uint surface) {
 // Photons whose surface is turned away by more than 60 degrees lie on another one; the square of the cosine.
 const float kNormalCosine2 = 0.25;
 
-// Did the photon land on the side of a surface that `normal` stands on?
-bool onSameSide(vec3 normal, uint direction, uint surface) {
+// Did the photon land on a surface that faces where `normal` points?
+bool onSameSurface(vec3 normal, uint surface) {
     vec3 photonNormal = unpackDirection(surface, kNormalBits);
     float cosine = dot(photonNormal, normal);
-    return cosine > 0.0 && cosine * cosine > kNormalCosine2 * dot(photonNormal, photonNormal) &&
-           dot(unpackDirection(direction, kDirectionBits), normal) > 0.0;
+    return cosine > 0.0 && cosine * cosine > kNormalCosine2 * dot(photonNormal, photonNormal);
+}
+
+// … and come from the side that `normal` stands on?
+bool onSameSide(vec3 normal, uint direction, uint surface) {
+    return onSameSurface(normal, surface) && dot(unpackDirection(direction, kDirectionBits), normal) > 0.0;
 }
 
 // Photons farther than this from the tangent plane, in radii of the disc, lie on another surface.

@@ -12,6 +12,9 @@ layout(constant_id = 2) const uint kEndlessObjects = 0u;
 // Bit kMaterial… is set for every type of material in the scene, kMaterialRough too where any is rough.
 layout(constant_id = 3) const uint kMaterialTypes = 0xffffffffu;
 
+// 0: no material has a texture.
+layout(constant_id = 4) const uint kTextures = 1u;
+
 bool sceneHas(uint shape) {
     return ((kShapeTypes >> shape) & 1u) != 0u;
 }

@@ -15,6 +15,7 @@ struct Surface {
     uint object;          // of CSG the whole, not the leaf
     uint material;
     uint light;
+    vec2 uv; // for textures: set where the scene has any
 };
 
 // Positions of quads and spheres, and the next intersection's view of them, are a handful of roundings, each at most
@@ -140,6 +141,24 @@ vec3 placeOnTriangle(Hit hit, NormalArray normals, InstanceArray instances, inou
     return outward;
 }
 
+// Coordinates for textures. Spheres: longitude from -z by way of -x and latitude from -y to +y, in world directions;
+// disks: the square around them. Shapes without coordinates have (0, 0).
+vec2 textureCoordinates(uint type, Hit hit, vec3 outward) {
+    if (isShape(type, kShapeMesh)) {
+        vec4 first = texelFetch(coordinateTable, int(kTexelsPerCoordinates * hit.primitive));
+        vec2 third = texelFetch(coordinateTable, int(kTexelsPerCoordinates * hit.primitive + 1u)).xy;
+        return (1.0 - hit.uv.x - hit.uv.y) * first.xy + hit.uv.x * first.zw + hit.uv.y * third;
+    }
+    if (isShape(type, kShapeSphere)) {
+        float level = sqrt(outward.x * outward.x + outward.z * outward.z);
+        return vec2(0.5 + angleInTurns(outward.x, outward.z), 0.5 + 2.0 * angleInTurns(outward.y, level));
+    }
+    if (isShape(type, kShapeDisk)) {
+        return 0.5 * hit.uv + 0.5;
+    }
+    return isShape(type, kShapeQuad) ? hit.uv : vec2(0.0);
+}
+
 Surface surfaceAt(Ray ray, Hit hit, NormalArray normals, InstanceArray instances) {
     ObjectHeader header = objectHeader(hit.object);
     Surface s;
@@ -165,6 +184,7 @@ Surface surfaceAt(Ray ray, Hit hit, NormalArray normals, InstanceArray instances
         }
         s.normal = outward;
     }
+    s.uv = kTextures != 0u ? textureCoordinates(header.type, hit, outward) : vec2(0.0);
     if (isLeaf) {
         // Where the ray met the solid, not where it would have met this leaf: at an edge the two differ by a place (see
         // csg.glsl). No error: a ray that leaves a solid knows on which side it starts

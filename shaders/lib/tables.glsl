@@ -7,6 +7,8 @@ layout(set = 0, binding = TABLE_NODES) uniform usamplerBuffer nodeTable;
 layout(set = 0, binding = TABLE_OBJECTS) uniform samplerBuffer objectTable;
 layout(set = 0, binding = TABLE_TRIANGLES) uniform samplerBuffer triangleTable;
 layout(set = 0, binding = TABLE_PHOTONS) uniform samplerBuffer photonTable;
+layout(set = 0, binding = TABLE_TEXTURES) uniform samplerBuffer textureTable;
+layout(set = 0, binding = TABLE_TEXTURE_COORDINATES) uniform samplerBuffer coordinateTable;
 
 vec4 objectTexel(uint object, uint texel) {
     return texelFetch(objectTable, int(object * kTexelsPerObject + texel));

@@ -4,6 +4,7 @@
 #define HYALITE_SHARED_KERNEL_ARGUMENTS_H
 #include "grid.h"
 #include "path_records.h"
+#include "photon_map.h"
 #include "scene_records.h"
 SHARED_BEGIN
 
@@ -64,7 +65,7 @@ struct SampleLightsArguments {
     ColorArray contributions; // out: radiance [W/(m^2 sr)] if the light is seen
     uint count;
     uint lightCount;
-    uint light; // sample this one, or kNone: one picked in proportion to power
+    uint light; // sample this one, or kNone: one picked by the lights' pmf
     uint pass;
     uint maxDepth;
 };
@@ -83,6 +84,17 @@ struct EmitPhotonsArguments {
     PhotonPathArray paths; // out
     uint count;            // photons emitted in this pass
     uint lightCount;
+    uint sequence; // seed of the photons' samplers, see photonSampler
+};
+
+struct EmitCausticPhotonsArguments {
+    LightArray lights;
+    TargetArray targets;
+    RayArray rays;         // out
+    PhotonPathArray paths; // out
+    uint count;            // photons emitted
+    uint lightCount;
+    uint targetCount;
     uint sequence; // seed of the photons' samplers, see photonSampler
 };
 
@@ -105,6 +117,22 @@ struct ScatterPhotonArguments {
     uint sequence; // seed of the photons' samplers, see photonSampler
     uint kinds;    // bit kPhoton… is set for every kind that is to be stored; paths that can store no more end
     uint account;  // 1: keep account of what becomes of the flux
+};
+
+// Follows photons straight on, through whatever they meet.
+struct CastShadowPhotonsArguments {
+    RayArray rays;
+    HitArray hits;
+    PhotonPathArray paths;
+    MaterialArray materials;
+    NormalArray normals;
+    InstanceArray instances;
+    PhotonArray photons;       // out, at firstPhoton + thread; surface = kNone where none is stored
+    RayArray nextRays;         // out
+    PhotonPathArray nextPaths; // out
+    UintArray alive;           // out
+    uint count;
+    uint firstPhoton;
 };
 
 struct CompactCameraPathsArguments {
@@ -172,6 +200,105 @@ struct SortPhotonsArguments {
     uint count;         // stored photons
 };
 
+struct MarkPhotonsArguments {
+    PhotonArray photons;
+    UintArray marks; // out: 1 where a photon is stored, else 0
+    uint count;      // photon slots
+};
+
+// A photon on one of the three lists from which a kd-tree is made. Photons are numbered by slot, without the empty
+// ones.
+struct KeyedPhoton {
+    uvec3 key; // its coordinates, as numbers of the same order
+    uint photon;
+};
+DEVICE_ARRAY(KeyedPhoton, KeyedPhotonArray);
+
+struct KeyPhotonsArguments {
+    PhotonArray photons;
+    UintArray numbers;     // exclusive sums of the marks
+    UintArray slots;       // out: slot of each stored photon
+    KeyedPhotonArray keys; // out
+    UintPairArray pairs;   // out: (key, photon) of the stored photons, axis by axis
+    uint count;            // photon slots
+    uint stored;
+};
+
+SHARED_CONSTANT kRadix = 256u;      // values of one digit of the radix sort
+SHARED_CONSTANT kSortChunk = 1024u; // photons that one of its threads counts and moves
+
+struct CountDigitsArguments {
+    UintPairArray pairs;
+    UintArray counts; // out: by axis, digit and chunk
+    uint count;       // three times the chunks of a list
+    uint stored;
+    uint shift; // of the digit in the key
+};
+
+struct SortDigitsArguments {
+    UintPairArray pairs;
+    UintArray places;       // in and out: exclusive sums of the counts
+    UintPairArray sorted;   // out, but for the last round
+    KeyedPhotonArray keys;  // for the last round
+    KeyedPhotonArray lists; // out, in the last round: the photons along each axis
+    uint count;             // three times the chunks of a list
+    uint stored;
+    uint shift;
+    uint last; // 1: the last round
+};
+
+SHARED_CONSTANT kSplitChunk = 256u; // photons of a node's list that one thread parts
+
+struct SplitNodesArguments {
+    KeyedPhotonArray lists;
+    KeyedPhotonArray splits; // out, by node of the level: what splits it
+    UintArray nodes;         // out, in heap order: the photon that splits, and the axis above kSplitAxisShift
+    uint count;              // nodes of the level
+    uint level;
+    uint stored;
+};
+
+struct CountSidesArguments {
+    KeyedPhotonArray lists;
+    KeyedPhotonArray splits;
+    UintArray nodes;
+    UintArray counts; // out, by list, node and chunk: photons for the left child
+    uint count;       // threads: lists times nodes times chunks
+    uint level;
+    uint chunks; // of the largest node's list
+    uint stored;
+};
+
+struct PartSidesArguments {
+    KeyedPhotonArray lists;
+    KeyedPhotonArray splits;
+    UintArray nodes;
+    UintArray sums;          // exclusive sums of the counts
+    KeyedPhotonArray parted; // out
+    uint count;
+    uint level;
+    uint chunks;
+    uint stored;
+};
+
+struct FinishSubtreesArguments {
+    KeyedPhotonArray lists;  // in and out
+    KeyedPhotonArray others; // as much room
+    UintArray nodes;         // out, see SplitNodesArguments
+    uint count;              // subtrees: nodes of the level
+    uint level;
+    uint stored;
+};
+
+struct PlacePhotonsArguments {
+    PhotonArray photons;
+    UintArray nodes;
+    UintArray slots;
+    PhotonArray sorted; // out: the tree
+    UintArray order;    // out: slot of each node's photon
+    uint count;         // stored photons
+};
+
 struct GatherRadianceArguments {
     VisiblePointArray visiblePoints;
     UintArray cellStarts;
@@ -180,6 +307,110 @@ struct GatherRadianceArguments {
     float radius; // search radius [m]
     uint count;
     uint maxDepth;
+};
+
+// Asks at every visible point; a depth of 0 there is no question.
+struct NearestPhotonsArguments {
+    VisiblePointArray visiblePoints;
+    PhotonMapRecord map;
+    UintArray found;   // out, `nearest` for each point: slots of the photons, the nearest first; behind them kNone
+    UintArray closest; // out: slot of the closest on the same surface among the tree's first `among` nodes, or kNone
+    float radius;      // [m]; of a grid, at most the radius that it was built for
+    uint nearest;      // photons to find, at most kNearestCapacity
+    uint kinds;        // bit kPhoton… is set for every kind that counts
+    uint among;
+    uint count;
+    uint maxDepth;
+};
+
+// How photons are weighted by their distance from the visible point.
+SHARED_CONSTANT kFilterNone = 0u;
+SHARED_CONSTANT kFilterCone = 1u;
+SHARED_CONSTANT kFilterGaussian = 2u;
+
+struct EstimateRadianceArguments {
+    VisiblePointArray visiblePoints;
+    PhotonMapRecord map;
+    ColorArray gathered;  // out: radiance [W/(m^2 sr)]
+    FloatArray radii;     // out: radius of the disc that it comes from [m]; 0 where no light is gathered
+    float radius;         // of the largest disc [m]; of a grid, at most the radius that it was built for
+    float filterConstant; // cone: k >= 1, the cone's radius over the disc's
+    float
+        maxChange; // relative change of the estimate, over discs that grow, at which they stop to; 0: they do not stop
+    uint nearest;  // photons to find, 2 … kNearestCapacity
+    uint kinds;    // bit kPhoton… is set for every kind that counts
+    uint filterKind; // kFilter…
+    uint count;
+    uint maxDepth;
+};
+
+// Starts final gathering: one ray from each visible point into its hemisphere.
+struct StartGatherRaysArguments {
+    VisiblePointArray visiblePoints;
+    RayArray rays;         // out
+    CameraPathArray paths; // out
+    UintArray alive;       // out
+    uint count;
+    uint index; // of the rays among all rays of a visible point: pass * rays per pass + ray
+};
+
+// Makes visible points of the photons that are marked, so that their irradiance can be estimated.
+struct BeginIrradianceArguments {
+    PhotonArray photons;
+    VisiblePointArray visiblePoints; // out; depth = 0 where there is none
+    uint count;                      // photon slots
+};
+
+// Turns the marked photons into records of irradiance.
+struct StoreIrradianceArguments {
+    PhotonArray photons;
+    ColorArray irradiance; // [W/m^2]
+    PhotonArray records;   // out; power is the irradiance; surface = kNone where there is none
+    uint count;            // photon slots
+};
+
+// Adds the radiance that the nearest record of irradiance gives each visible point.
+struct LookUpIrradianceArguments {
+    VisiblePointArray visiblePoints;
+    ColorArray gathered; // in and out: radiance [W/(m^2 sr)]
+    PhotonMapRecord map; // of the records
+    float radius;        // no farther than this [m]
+    float scale;         // 1 / gather rays
+    uint count;
+};
+
+// Decides which lights are seen from visible points, by the direct and shadow photons about them.
+struct ClassifyVisibilityArguments {
+    VisiblePointArray visiblePoints;
+    UintArray lit;       // out: bit i is set where light i is seen
+    UintArray shadowed;  // out: bit i is set where it is not
+    PhotonMapRecord map; // of direct and shadow photons
+    uint lightCount;
+    uint nearest;  // photons looked at
+    uint agreeing; // photons of a light that have to agree
+    float radius;  // none farther than this [m]
+    uint count;
+};
+
+// Spares the shadow rays to a light whose visibility is known.
+struct SkipShadowRaysArguments {
+    UintArray lit;
+    UintArray shadowed;
+    RayArray shadowRays;      // in and out; tMax = 0: nothing to trace
+    ColorArray contributions;
+    ColorArray direct;        // in and out
+    UintArray counts;         // in and out: rays spared, rays left
+    uint light;
+    uint count;
+};
+
+// Draws photons as points: counts per pixel those that the camera sees.
+struct SplatPhotonsArguments {
+    PhotonArray photons;
+    UintArray counts; // in and out, four per pixel, by kind
+    CameraRecord camera;
+    uint count;
+    uint rootNode;
 };
 
 // Adds what several paths of one pixel carry, in their order: the first path of each run of equal pixels adds them all.
@@ -195,6 +426,7 @@ struct AccumulateFilmArguments {
     ColorArray colors;
     ColorArray film; // in and out: sums over passes
     uint count;      // pixels
+    float scale;     // of the colours
 };
 
 struct ResolveFilmArguments {

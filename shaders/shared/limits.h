@@ -16,8 +16,18 @@ SHARED_CONSTANT kTraversalStack = 64u;
 // Leaves of one CSG tree: their inside bits are one word, and a program for so many fills one texel.
 SHARED_CONSTANT kMaxCsgLeaves = 32u;
 
+// Photons that one query may ask for: Jensen's pictures use 50 to 500, and a thread keeps 8 bytes for each.
+SHARED_CONSTANT kMaxNearest = 512u;
+
+// Entries of a photon query's traversal stack: at most one for every level above a leaf, and 2^30 photons, which their
+// numbers leave room for, make 30 levels.
+SHARED_CONSTANT kKdStack = 32u;
+
 // Longest path, in segments; a photon stores its length in 8 bits.
 SHARED_CONSTANT kMaxDepth = 255u;
+
+// Lights whose visibility shadow photons may tell; the rest is asked by shadow rays.
+SHARED_CONSTANT kMostClassifiedLights = 16u;
 
 // Marks "no object", "no light", "no material" in 32-bit indices.
 SHARED_CONSTANT kNone = 0xffffffffu;

@@ -104,6 +104,8 @@ struct Photon {
 DEVICE_ARRAY(Photon, PhotonArray);
 SHARED_CONSTANT kDirectionBits = 15u;
 SHARED_CONSTANT kSplitAxisShift = 30u;
+SHARED_CONSTANT kMarkedPhoton = 0x80000000u; // before it is sorted: its irradiance is to be precomputed
+SHARED_CONSTANT kMarkEvery = 4u;             // one photon of so many
 SHARED_CONSTANT kNormalBits = 11u;
 SHARED_CONSTANT kKindShift = 22u;
 SHARED_CONSTANT kLengthShift = 24u;
@@ -112,13 +114,15 @@ SHARED_CONSTANT kLengthMax = 255u;
 // What became of the flux that a photon left its light with [W]; the four add up to it.
 struct PhotonFate {
     vec3 stored;   // left on diffuse surfaces where a photon was stored
-    vec3 absorbed; // by mirrors, glass and surfaces that reflect nothing
+    vec3 absorbed; // by mirrors, in glass and by surfaces that reflect nothing
     vec3 escaped;  // out of the scene
     vec3 cutOff;   // would have been reflected on at the end of the longest path
 };
 DEVICE_ARRAY(PhotonFate, PhotonFateArray);
 
 DEVICE_ARRAY(uint, UintArray);
+DEVICE_ARRAY(uvec2, UintPairArray);
+DEVICE_ARRAY(float, FloatArray);
 DEVICE_ARRAY(vec3, ColorArray);
 
 SHARED_END

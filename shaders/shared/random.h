@@ -63,6 +63,7 @@ SHARED_FUNCTION Sampler cameraSampler(uint seed, uint pass, uint pixel) {
 // Photon paths: one sequence per pass and purpose, whose successive points are the photons emitted.
 SHARED_CONSTANT kGlobalPhotons = 1u;
 SHARED_CONSTANT kCausticPhotons = 2u;
+SHARED_CONSTANT kShadowPhotons = 3u;
 
 SHARED_FUNCTION uint photonSequence(uint seed, uint purpose, uint pass) {
     return hashCombine(hashCombine(seed, purpose), pass);
@@ -86,6 +87,7 @@ SHARED_FUNCTION uvec2 sampleBits(Sampler s, uint dimension) {
 
 // Which pair of numbers a choice along a path uses. Vertices are counted from 0, the first hit.
 SHARED_CONSTANT kCameraPixel = 0u; // place in the pixel
+SHARED_CONSTANT kCameraLens = 1u;  // place on the lens
 
 SHARED_FUNCTION uint cameraScatter(uint vertex) { // x: reflected or refracted, by lobe or diffuse part
     return 2u + 4u * vertex;
@@ -98,6 +100,22 @@ SHARED_FUNCTION uint cameraLightChoice(uint vertex) { // x: which light
 }
 SHARED_FUNCTION uint cameraBounce(uint vertex) { // direction off a rough surface
     return 5u + 4u * vertex;
+}
+
+// Final gathering: the rays from a visible point have a sequence of their own, numbered over all passes.
+SHARED_FUNCTION uint gatherSequence(uint samplerSeed) {
+    return hashCombine(samplerSeed, 64u);
+}
+SHARED_CONSTANT kGatherDirection = 0u;
+
+// Path tracing goes on from diffuse surfaces, with dimensions beyond those of the longest path above.
+SHARED_CONSTANT kPathFirst = 1024u;
+
+SHARED_FUNCTION uint pathBounce(uint vertex) { // direction after a diffuse reflection
+    return kPathFirst + 8u * vertex;
+}
+SHARED_FUNCTION uint pathRoulette(uint vertex) { // x: does the path go on
+    return kPathFirst + 8u * vertex + 1u;
 }
 
 SHARED_CONSTANT kPhotonLight = 0u;     // x: which light emits, y: which target it aims at

@@ -4,14 +4,17 @@
 #include "language.h"
 SHARED_BEGIN
 
-// Pinhole camera: the ray through image point (x, y) in [-1, 1]^2, y up, has direction forward + x right + y up.
+// The ray through image point (x, y) in [-1, 1]^2, y up, and the middle of the lens has direction
+// forward + x right + y up; those through other points of the lens meet it focusDistance along forward.
 struct CameraRecord {
-    vec3 position; // world [m]
-    vec3 forward;  // unit
-    vec3 right;    // length tan(horizontal fov / 2)
-    vec3 up;       // length tan(vertical fov / 2)
-    uint width;    // [pixels]
-    uint height;   // [pixels]
+    vec3 position;       // middle of the lens, world [m]
+    vec3 forward;        // unit
+    vec3 right;          // length tan(horizontal fov / 2)
+    vec3 up;             // length tan(vertical fov / 2)
+    uint width;          // [pixels]
+    uint height;         // [pixels]
+    float lensRadius;    // [m]; 0: a pinhole
+    float focusDistance; // from the lens to the plane that is sharp [m]
 };
 
 SHARED_CONSTANT kMaterialAbsorber = 0u;          // reflects nothing
@@ -34,24 +37,60 @@ struct MaterialRecord {
 };
 DEVICE_ARRAY(MaterialRecord, MaterialArray);
 
+// A triangle of an emitting mesh; none is without area.
+struct LightTriangle {
+    vec3 corner; // world [m]
+    vec3 edge0;  // from there to the second corner, counter-clockwise from the front [m]
+    vec3 edge1;  // to the third [m]
+    vec3 normal; // unit, of the front
+};
+DEVICE_ARRAY(LightTriangle, LightTriangleArray);
+DEVICE_ARRAY(vec3, RadianceArray); // [W/(m^2 sr)]
+DEVICE_ARRAY(float, CdfArray);     // sums of probabilities up to and including each element; 1 for the last
+
 SHARED_CONSTANT kLightPoint = 0u;
 SHARED_CONSTANT kLightQuad = 1u;
 SHARED_CONSTANT kLightDisk = 2u;
 SHARED_CONSTANT kLightSphere = 3u;
+SHARED_CONSTANT kLightMesh = 4u;
+SHARED_CONSTANT kLightSpot = 5u;
+SHARED_CONSTANT kLightBeam = 6u;        // parallel, from a disc
+SHARED_CONSTANT kLightDirectional = 7u; // parallel, from beyond the scene onto all of it
+SHARED_CONSTANT kLightEnvironment =
+    8u; // from beyond the scene and all directions; it is the first light if there is one
 
 struct LightRecord {
     uint type;
-    vec3 position; // point: place; quad: corner; disk, sphere: centre [m]
-    vec3 edge0;    // quad: edge; disk: axis; sphere: (radius, 0, 0) [m]
-    vec3 edge1;    // quad: edge; disk: axis [m]
-    vec3 normal;   // quad, disk: unit, the emitting side
-    float area;    // all but points [m^2]
-    vec3 emission; // point: intensity [W/sr]; the others: radiance [W/(m^2 sr)]
-    vec3 power;    // flux [W]
-    float pmf;     // probability that a photon or a shadow ray picks this light
-    float cdf;     // sum of the pmf up to and including this light; 1 for the last
+    vec3 position;  // point, spot: place; quad: corner; disk, sphere, beam: centre; directional, environment: middle of
+                    // the scene [m]
+    vec3 edge0;     // quad: edge; disk: axis [m]
+    vec3 edge1;     // quad: edge; disk: axis [m]
+    vec3 normal;    // unit. quad, disk: the emitting side; spot, beam, directional: where the light goes
+    float radius;   // sphere; beam, directional, environment: of the disc where photons start [m]
+    float distance; // directional, environment: of that disc's centre from `position`, against the light [m]
+    vec2 cone;      // spot: 1 - cos of the angles from the axis where its intensity begins to fall and where it ends
+    float error;    // mesh: what the coordinates of a point of it may be wrong by, on either way to compute it [m]
+    float area;     // of surfaces, and of discs where photons start [m^2]
+    vec3 emission;  // point, spot: intensity on the axis [W/sr]; beam, directional: irradiance [W/m^2]; surfaces:
+                    // radiance [W/(m^2 sr)]; environment: mean radiance of all directions [W/(m^2 sr)]
+    vec3 power;     // flux [W]
+    float pmf;      // probability that a photon or a shadow ray picks this light
+    float cdf;      // sum of the pmf up to and including this light; 1 for the last
+    uint columns;   // mesh: triangles; environment: texels of a row
+    uint rows;      // environment
+    float rotation; // environment: about +y, counter-clockwise [turns], in [0, 1)
+    CdfArray cdfs;  // mesh: its triangles by area; environment: its rows, then the texels of each row
+    LightTriangleArray triangles;
+    RadianceArray texels; // environment: row by row, the upper one first
 };
 DEVICE_ARRAY(LightRecord, LightArray);
+
+// A sphere that holds something specular: caustic photons are aimed at it.
+struct TargetRecord {
+    vec3 center;  // world [m]
+    float radius; // [m]; 3e38: it has no end
+};
+DEVICE_ARRAY(TargetRecord, TargetArray);
 
 // An object is eight texels of the object table; the fourth is (type and flags, material, light, root) as bits, and the
 // others hold what the shape needs:
@@ -95,6 +134,19 @@ SHARED_CONSTANT kCsgDifference = 3u; // the lower of the two without the upper
 SHARED_CONSTANT kTexelsPerTriangle = 3u;
 DEVICE_ARRAY(vec3, NormalArray); // zero vector: flat
 
+// The texture coordinates of a triangle's corners are two texels of a table of their own, which holds nothing where the
+// scene has no textures: (u0, v0, u1, v1) (u2, v2, -, -).
+SHARED_CONSTANT kTexelsPerCoordinates = 2u;
+
+// A texture is two texels at the head of the texture table, behind which stand the texels of the images, row by row
+// from the top:
+//   image:   0 (kTextureImage, first texel, width, height) as bits
+//   checker: 0 (kTextureChecker… as bits, first colour)  1 (cells per metre or per unit of u and v, second colour)
+SHARED_CONSTANT kTexelsPerTexture = 2u;
+SHARED_CONSTANT kTextureImage = 0u;
+SHARED_CONSTANT kTextureCheckerWorld = 1u;
+SHARED_CONSTANT kTextureCheckerUv = 2u;
+
 // What surface evaluation needs of an object beyond its texels; one per object.
 struct InstanceRecord {
     vec4 row0; // rows of the 3x4 matrix from object to world space; the identity for shapes kept in world space
@@ -119,7 +171,9 @@ SHARED_CONSTANT kLeafFirstMask = 0x07ffffffu;
 #define TABLE_OBJECTS 1
 #define TABLE_TRIANGLES 2
 #define TABLE_PHOTONS 3
-#define TABLE_COUNT 4
+#define TABLE_TEXTURES 4
+#define TABLE_TEXTURE_COORDINATES 5
+#define TABLE_COUNT 6
 
 SHARED_END
 #endif

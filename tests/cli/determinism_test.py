@@ -11,6 +11,9 @@ class Determinism(CliTest):
         ("cornell-caustics.yaml", "whitted"),
         ("tests/mesh-room.yaml", "ppm"),
         ("tests/all-shapes.yaml", "ppm"),
+        ("tests/all-lights.yaml", "ppm"),
+        ("tests/all-lights.yaml", "whitted"),
+        ("globe.yaml", "ppm"),
     )
     # What lavapipe reads. Where the CPU does not have a width, lavapipe takes a smaller one by itself.
     ENVIRONMENTS = (

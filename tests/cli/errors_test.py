@@ -110,6 +110,7 @@ class Usage(Refusals):
             "seed 2^32": (render("--seed", str(2**32)), "--seed", str(2**32)),
             "max depth 256": (render("--max-depth", "256"), "--max-depth", "256"),
             "unknown integrator": (render("--integrator", "pmm"), "--integrator", "did you mean 'ppm'?"),
+            "an integrator without kernels": (render("--integrator", "path"), "'path'", "--backend reference"),
             "unknown backend": (render("--backend", "cuda"), "--backend", "cuda", "vulkan", "reference"),
             "set without =": (render("--set", "render.seed"), "--set", "render.seed", "key=value"),
             "set unknown key": (render("--set", "render.fotons=1"), "--set", "'fotons'", "'photons'"),

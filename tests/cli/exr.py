@@ -60,9 +60,10 @@ def unzip(block, size):
 
 
 class Picture:
-    """Channel name -> list of rows of floats, row 0 at the top."""
+    """Channel name -> list of rows of floats, row 0 at the top. `layer`: whose pixels at() gives."""
 
-    def __init__(self, path):
+    def __init__(self, path, layer=""):
+        self.layer = layer + "." if layer else ""
         data = path.read_bytes()
         attributes, position = read_header(data)
         x0, y0, x1, y1 = struct.unpack("<4i", attributes["dataWindow"])
@@ -88,10 +89,10 @@ class Picture:
 
     def at(self, x, y):
         """(R, G, B)."""
-        return tuple(self.channels[name][y][x] for name in "RGB")
+        return tuple(self.channels[self.layer + name][y][x] for name in "RGB")
 
     def values(self):
-        return [value for rows in self.channels.values() for row in rows for value in row]
+        return [value for name in "RGB" for row in self.channels[self.layer + name] for value in row]
 
     def is_finite(self):
         return all(map(math.isfinite, self.values()))

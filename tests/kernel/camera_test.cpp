@@ -2,13 +2,18 @@
 #include "kernel/kernel_support.h"
 #include "reference/shading.h"
 
+#include <catch2/generators/catch_generators.hpp>
+
 namespace hyalite::testing {
 
-TEST_CASE("camera rays leave through the same point of the pixel on both sides") {
+TEST_CASE("camera rays leave through the same points of the pixel and of the lens on both sides") {
+    const auto [aperture, focus] = GENERATE(std::pair{0.0, 0.0}, std::pair{0.3, 0.0}, std::pair{0.05, 1.5});
     Scene scene = reference::test::cornellBox();
     scene.camera.resolution = {37, 23}; // neither square nor a multiple of the group
     scene.camera.position = {0.3, -0.2, 3.1};
     scene.camera.lookAt = {0.1, 0.4, -0.5};
+    scene.camera.aperture = aperture;
+    scene.camera.focusDistance = focus;
     scene.render.seed = 77;
     BothSides both(scene);
     const std::uint32_t pixels = 37 * 23;

@@ -62,6 +62,18 @@ TEST_CASE("ppm gives the reference's picture of the default scene") {
     comparePictures("ppm-cornell", scene, 0.99);
 }
 
+TEST_CASE("whitted and ppm give the reference's picture of textures and absorbing glass through a lens") {
+    Scene scene = loadScene(std::filesystem::path(HYALITE_SOURCE_DIR) / "scenes/globe.yaml");
+    scene.camera.resolution = {96, 72};
+    scene.render.passes = 16;
+    scene.render.photons = 30000;
+    scene.render.radius = 0.08;
+    // Of 16 points of the lens one may fall on another tile, whose edge rounding moves
+    comparePictures("ppm-globe", scene, 0.98);
+    scene.render.integrator = Integrator::Whitted;
+    comparePictures("whitted-globe", scene, 0.98);
+}
+
 TEST_CASE("whitted and ppm give the reference's picture of every shape and of CSG") {
     Scene scene = loadScene(std::filesystem::path(HYALITE_SOURCE_DIR) / "scenes/tests/all-shapes.yaml");
     // Photons that graze one of many curved mirrors and panes of glass land elsewhere
@@ -78,6 +90,15 @@ TEST_CASE("whitted and ppm give the reference's picture of every material, smoot
     scene.render.integrator = Integrator::Whitted;
     scene.render.minWeight = 0.01;
     comparePictures("whitted-materials", scene, 0.99);
+}
+
+TEST_CASE("whitted and ppm give the reference's picture of every light") {
+    Scene scene = loadScene(std::filesystem::path(HYALITE_SOURCE_DIR) / "scenes/tests/all-lights.yaml");
+    // As above; and two in a thousand rays see the next texel of the sky or the next triangle of an emitting mesh
+    comparePictures("ppm-lights", scene, 0.97);
+    scene.render.integrator = Integrator::Whitted;
+    scene.render.minWeight = 0.01;
+    comparePictures("whitted-lights", scene, 0.99);
 }
 
 TEST_CASE("ppm gives the reference's picture of meshes, point lights and many spheres") {

@@ -27,9 +27,11 @@ using namespace hyalite::shared; // the names below are the kernels'
 
 std::map<std::string, HostLayout> hostLayouts() {
     std::map<std::string, HostLayout> layouts;
-    HOST_LAYOUT(CameraRecord, position, forward, right, up, width, height);
+    HOST_LAYOUT(CameraRecord, position, forward, right, up, width, height, lensRadius, focusDistance);
     HOST_LAYOUT(MaterialRecord, type, color, extinction, ior, roughness, metallic, colorTexture, roughnessTexture);
-    HOST_LAYOUT(LightRecord, type, position, edge0, edge1, normal, area, emission, power, pmf, cdf);
+    HOST_LAYOUT(LightTriangle, corner, edge0, edge1, normal);
+    HOST_LAYOUT(LightRecord, type, position, edge0, edge1, normal, radius, distance, cone, error, area, emission, power,
+                pmf, cdf, columns, rows, rotation, cdfs, triangles, texels);
     HOST_LAYOUT(InstanceRecord, row0, row1, row2);
     HOST_LAYOUT(Ray, origin, tMax, direction, from);
     HOST_LAYOUT(Hit, t, object, primitive, uv);
@@ -43,7 +45,7 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(PhotonFate, stored, absorbed, escaped, cutOff);
     HOST_LAYOUT(GridRecord, inverseCellSize, bucketMask);
     HOST_LAYOUT(GenerateCameraRaysArguments, rays, paths, camera.position, camera.forward, camera.right, camera.up,
-                camera.width, camera.height, count, seed, pass);
+                camera.width, camera.height, camera.lensRadius, camera.focusDistance, count, seed, pass);
     HOST_LAYOUT(TraceClosestArguments, rays, hits, count, rootNode);
     HOST_LAYOUT(ShadeSurfaceArguments, rays, hits, paths, materials, lights, normals, instances, visiblePoints, emitted,
                 nextRays, nextPaths, alive, count, depth, maxDepth, pass, split, minWeight, roughPoints);
@@ -62,11 +64,42 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(FillCellsArguments, photons, cellStarts, ranks, order, grid.inverseCellSize, grid.bucketMask, count);
     HOST_LAYOUT(OrderCellsArguments, cellStarts, order, count);
     HOST_LAYOUT(SortPhotonsArguments, photons, order, sorted, count);
+    HOST_LAYOUT(MarkPhotonsArguments, photons, marks, count);
+    HOST_LAYOUT(KeyedPhoton, key, photon);
+    HOST_LAYOUT(KeyPhotonsArguments, photons, numbers, slots, keys, pairs, count, stored);
+    HOST_LAYOUT(CountDigitsArguments, pairs, counts, count, stored, shift);
+    HOST_LAYOUT(SortDigitsArguments, pairs, places, sorted, keys, lists, count, stored, shift, last);
+    HOST_LAYOUT(SplitNodesArguments, lists, splits, nodes, count, level, stored);
+    HOST_LAYOUT(CountSidesArguments, lists, splits, nodes, counts, count, level, chunks, stored);
+    HOST_LAYOUT(PartSidesArguments, lists, splits, nodes, sums, parted, count, level, chunks, stored);
+    HOST_LAYOUT(FinishSubtreesArguments, lists, others, nodes, count, level, stored);
+    HOST_LAYOUT(PlacePhotonsArguments, photons, nodes, slots, sorted, order, count);
     HOST_LAYOUT(GatherRadianceArguments, visiblePoints, cellStarts, gathered, grid.inverseCellSize, grid.bucketMask,
                 radius, count, maxDepth);
+    HOST_LAYOUT(NearestPhotonsArguments, visiblePoints, map.order, map.cellStarts, map.grid.inverseCellSize,
+                map.grid.bucketMask, map.base, map.count, found, closest, radius, nearest, kinds, among, count,
+                maxDepth);
+    HOST_LAYOUT(EstimateRadianceArguments, visiblePoints, map.order, map.cellStarts, map.grid.inverseCellSize,
+                map.grid.bucketMask, map.base, map.count, gathered, radii, radius, filterConstant, maxChange, nearest,
+                kinds, filterKind, count, maxDepth);
     HOST_LAYOUT(SumPathsArguments, paths, emitted, direct, radiance, count);
-    HOST_LAYOUT(AccumulateFilmArguments, colors, film, count);
+    HOST_LAYOUT(AccumulateFilmArguments, colors, film, count, scale);
     HOST_LAYOUT(ResolveFilmArguments, film, image, count, scale);
+    HOST_LAYOUT(TargetRecord, center, radius);
+    HOST_LAYOUT(EmitCausticPhotonsArguments, lights, targets, rays, paths, count, lightCount, targetCount, sequence);
+    HOST_LAYOUT(CastShadowPhotonsArguments, rays, hits, paths, materials, normals, instances, photons, nextRays, nextPaths,
+                alive, count, firstPhoton);
+    HOST_LAYOUT(StartGatherRaysArguments, visiblePoints, rays, paths, alive, count, index);
+    HOST_LAYOUT(BeginIrradianceArguments, photons, visiblePoints, count);
+    HOST_LAYOUT(StoreIrradianceArguments, photons, irradiance, records, count);
+    HOST_LAYOUT(LookUpIrradianceArguments, visiblePoints, gathered, map.order, map.cellStarts, map.grid.inverseCellSize,
+                map.grid.bucketMask, map.base, map.count, radius, scale, count);
+    HOST_LAYOUT(ClassifyVisibilityArguments, visiblePoints, lit, shadowed, map.order, map.cellStarts,
+                map.grid.inverseCellSize, map.grid.bucketMask, map.base, map.count, lightCount, nearest, agreeing,
+                radius, count);
+    HOST_LAYOUT(SkipShadowRaysArguments, lit, shadowed, shadowRays, contributions, direct, counts, light, count);
+    HOST_LAYOUT(SplatPhotonsArguments, photons, counts, camera.position, camera.forward, camera.right, camera.up,
+                camera.width, camera.height, count, rootNode);
     HOST_LAYOUT(SelfTestRecord, first, second, third, fourth);
     HOST_LAYOUT(SelfTestAnswer, rounds, texel, record.first, record.second, record.third, record.fourth);
     HOST_LAYOUT(SelfTestArguments, records, answers, rounds, count);

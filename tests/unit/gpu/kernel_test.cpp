@@ -55,18 +55,19 @@ TEST_CASE("reflection reads sizes, members, strides and specialization constants
     const gpu::KernelInterface interface = gpu::reflect(ShaderCompiler(folder.shaders()).compile("reflected"));
     CHECK(interface.localSize == 64);
     CHECK(interface.specializationConstants == std::map<std::string, std::uint32_t>{{"kScale", 2}});
-    // Scalar layout: address 8, beta 12, pixel 4, samplerSeed 4, two colors 24, count 4: 56 bytes, a multiple of 8.
-    CHECK(interface.pushConstantBytes == 56);
+    // Scalar layout: address 8, beta 12, pixel 4, samplerSeed 4, medium 4, pdfW 4, two colors 24, count 4: 64 bytes, a
+    // multiple of 8.
+    CHECK(interface.pushConstantBytes == 64);
     const auto& members = interface.structs.at("Arguments");
-    REQUIRE(members.size() == 6);
+    REQUIRE(members.size() == 8);
     CHECK(members[1].name == "path.beta");
     CHECK(members[1].offset == 8);
     CHECK(members[1].size == 12);
     CHECK(members[3].name == "path.samplerSeed");
     CHECK(members[3].offset == 24);
-    CHECK(members[4].name == "colors");
-    CHECK(members[4].offset == 28);
-    CHECK(members[4].size == 24);
+    CHECK(members[6].name == "colors");
+    CHECK(members[6].offset == 36);
+    CHECK(members[6].size == 24);
     // Ray: two vec3, a float and an integer.
     CHECK(interface.arrayStrides == std::map<std::string, std::uint32_t>{{"Ray", 32}});
     CHECK(interface.structs.at("Ray").size() == 4);

@@ -136,7 +136,7 @@ TEST_CASE("glTF attributes may share a view with a stride, and be whole numbers 
     const Mesh mesh = onlyMesh(gltf.text());
     CHECK(mesh.positions == corners);
     CHECK(mesh.normals == std::vector<glm::vec3>(3, {-1, 0, 0})); // max(-128 / 127, -1)
-    CHECK(mesh.uvs == std::vector<glm::vec2>(3, {0, 1}));
+    CHECK(mesh.uvs == std::vector<glm::vec2>(3, {0, 0}));         // (0, 1): the format's v points downwards
 }
 
 TEST_CASE("glTF positions may be whole numbers that stand for themselves") {

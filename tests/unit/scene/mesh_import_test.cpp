@@ -82,16 +82,17 @@ TEST_CASE("negative OBJ indices count back from the last vertex before the face"
     CHECK(mesh.triangles == std::vector<glm::uvec3>{{0, 1, 2}, {0, 1, 3}});
 }
 
-TEST_CASE("OBJ texture coordinates are stepped over") {
+TEST_CASE("OBJ texture coordinates need no normals") {
     const Mesh mesh = parseObj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 0.5 1\nf 1/1 2/2 3/-1\n", "m.obj");
     CHECK(mesh.triangles == std::vector<glm::uvec3>{{0, 1, 2}});
+    CHECK(mesh.uvs == std::vector<glm::vec2>{{0, 0}, {0.5F, 1}, {0.5F, 1}});
     CHECK(mesh.normals.empty());
 }
 
 TEST_CASE("an OBJ position is repeated for each normal it is used with") {
     // Two triangles share an edge; vertex 1 has one normal in both, vertex 3 has two.
     const Mesh mesh = parseObj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 2\nvn 3 0 4\nvt 0 0\n"
-                               "f 1//1 2//1 3//1\nf 1/1/1 3/1/2 4/1/2\n",
+                               "f 1/1/1 2/1/1 3/1/1\nf 1/1/1 3/1/2 4/1/2\n",
                                "m.obj");
     CHECK(trianglesOf(mesh) ==
           std::vector<Triangle>{{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}}, {{{0, 0, 0}, {1, 1, 0}, {0, 1, 0}}}});

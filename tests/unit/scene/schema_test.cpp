@@ -75,7 +75,16 @@ TEST_CASE("the JSON Schema has exactly the keys that the loader knows") {
         {"/$defs/conductor", "hyalite: 1\nobjects: []\nmaterials: {m: {type: conductor, metal: gold, unheardof: 1}}\n"},
         {"/$defs/metallicRoughness",
          "hyalite: 1\nobjects: []\nmaterials: {m: {type: metallic_roughness, unheardof: 1}}\n"},
+        {"/$defs/checker", "hyalite: 1\nobjects: []\ntextures: {t: {type: checker, unheardof: 1}}\n"},
+        {"/$defs/imageTexture", "hyalite: 1\nobjects: []\ntextures: {t: {type: image, file: t.png, unheardof: 1}}\n"},
+        {"/$defs/textureReference", "hyalite: 1\nobjects: []\ntextures: {t: {type: checker}}\n"
+                                    "materials: {m: {type: mirror, reflectance: {texture: t, unheardof: 1}}}\n"},
         {"/$defs/pointLight", "hyalite: 1\nobjects: []\nlights: [{type: point, position: [0, 0, 0], unheardof: 1}]\n"},
+        {"/$defs/spotLight", "hyalite: 1\nobjects: []\nlights: [{type: spot, position: [0, 0, 0], "
+                             "direction: [0, 1, 0], unheardof: 1}]\n"},
+        {"/$defs/directionalLight",
+         "hyalite: 1\nobjects: []\nlights: [{type: directional, direction: [0, 1, 0], unheardof: 1}]\n"},
+        {"/$defs/environment", "hyalite: 1\nobjects: []\nlights: [{type: environment, unheardof: 1}]\n"},
         {"/$defs/sphere", object + "shape: {type: csg, op: union, left: {type: sphere, radius: 1, unheardof: 1}, "
                                    "right: {type: sphere, radius: 1}}}]\n"},
         {"/$defs/object", object + "shape: {type: sphere, radius: 1}, unheardof: 1}]\n"},

@@ -21,6 +21,8 @@ TEST_CASE("every setting changes what it names and nothing else") {
     applySetting(scene, "render.alpha", "0.5");
     applySetting(scene, "render.min_weight", "0");
     applySetting(scene, "camera.fov", "20");
+    applySetting(scene, "camera.aperture", "0.05");
+    applySetting(scene, "camera.focus_distance", "2.5");
     applySetting(scene, "camera.position", "[1, 2, 3]");
     applySetting(scene, "camera.look_at", "[4, 5, 6]");
     applySetting(scene, "camera.up", "[0, 0, 1]");
@@ -33,6 +35,8 @@ TEST_CASE("every setting changes what it names and nothing else") {
     CHECK(scene.render.alpha == 0.5);
     CHECK(scene.render.minWeight == 0);
     CHECK(scene.camera.fov == 20);
+    CHECK(scene.camera.aperture == 0.05);
+    CHECK(scene.camera.focusDistance == 2.5);
     CHECK(scene.camera.position == glm::dvec3(1, 2, 3));
     CHECK(scene.camera.lookAt == glm::dvec3(4, 5, 6));
     CHECK(scene.camera.up == glm::dvec3(0, 0, 1));
@@ -64,6 +68,8 @@ TEST_CASE("a wrong setting names the option and leaves the scene as it was") {
         {"camera.resolution", "0x10", "--set: 'resolution' must be in [1, 65536] pixels, found 0"},
         {"camera.resolution", "512x", "--set: 'resolution' must be a list of 2 numbers, found the text '512x'"},
         {"camera.resolution", "65536x65536", "--set: more than 268435456 pixels"},
+        {"camera.aperture", "-0.1", "--set: 'aperture' must be in [0, 1e+09] m"},
+        {"camera.focus_distance", "0", "--set: 'focus_distance' must be in [1e-09, 1e+09] m"},
         {"camera.fov", "180", "--set: 'fov' must be in (0, 180) degrees"},
         {"camera.fov", "", "--set: holds no values"},
         {"camera.fov", "[1", "--set: YAML"},

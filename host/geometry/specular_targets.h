@@ -1,0 +1,18 @@
+// What caustic photons are aimed at: spheres around everything that reflects or refracts like a mirror.
+#pragma once
+
+#include "geometry/bounding_sphere.h"
+#include "scene/scene.h"
+
+#include <vector>
+
+namespace hyalite {
+
+// So many spheres at most: for each photon all are looked at.
+inline constexpr std::size_t kMostTargets = 64;
+
+// World space [m]; the radius is infinite where a specular object has no end. Objects beyond kMostTargets are taken
+// together with their neighbours. Empty: the scene holds nothing specular. Deterministic.
+[[nodiscard]] std::vector<BoundingSphere> specularTargets(const Scene& scene);
+
+} // namespace hyalite

@@ -1,0 +1,47 @@
+#include "render/shadow_photons.h"
+
+#include "render/photon_slots.h"
+
+namespace hyalite::render {
+
+ShadowPhotonPaths::ShadowPhotonPaths(Device& device, const Scene& scene, const DeviceScene& deviceScene,
+                                     std::uint32_t capacity)
+    : device_(device), scene_(scene), deviceScene_(deviceScene), emitPhotons_(device.kernel("emit_photons")),
+      traceClosest_(device.kernel("trace_closest", deviceScene.specialization)),
+      castShadowPhotons_(device.kernel("cast_shadow_photons", deviceScene.specialization)),
+      compactPhotonPaths_(device.kernel("compact_photon_paths")), prefixSum_(device), queue_(device.context, capacity) {}
+
+std::uint32_t ShadowPhotonPaths::cast(std::uint32_t count) {
+    gpu::Commands& commands = device_.commands;
+    PhotonQueue& queue = queue_;
+    std::uint32_t slots = 0;
+    queue.count = count;
+    commands.run(emitPhotons_,
+                 shared::EmitPhotonsArguments{
+                     deviceScene_.lights, queue.rays, queue.paths, queue.count, deviceScene_.lightCount,
+                     shared::photonSequence(scene_.render.seed, shared::kShadowPhotons, 0)},
+                 queue.count);
+    for (std::uint32_t depth = 1; queue.count > 0 && depth <= shared::kMaxDepth; ++depth) {
+        reservePhotonSlots(device_, photons_, slots + queue.count);
+        commands.run(traceClosest_,
+                     shared::TraceClosestArguments{queue.rays, queue.hits, queue.count, deviceScene_.rootNode},
+                     queue.count);
+        commands.run(castShadowPhotons_,
+                     shared::CastShadowPhotonsArguments{queue.rays, queue.hits, queue.paths, deviceScene_.materials,
+                                                        deviceScene_.normals, deviceScene_.instances, photons_,
+                                                        queue.nextRays, queue.nextPaths, queue.alive, queue.count,
+                                                        slots},
+                     queue.count);
+        raysTraced_ += queue.count;
+        slots += queue.count;
+        const std::uint32_t alive = countAlive(device_, prefixSum_, queue, queue.count);
+        commands.run(compactPhotonPaths_,
+                     shared::CompactPhotonPathsArguments{queue.alive, queue.offsets, queue.nextRays, queue.nextPaths,
+                                                         queue.rays, queue.paths, queue.count},
+                     alive > 0 ? queue.count : 0);
+        queue.count = alive;
+    }
+    return slots;
+}
+
+} // namespace hyalite::render

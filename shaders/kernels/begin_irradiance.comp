@@ -1,0 +1,23 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Makes visible points of the marked photons: the radiance estimate there, with f = 1, is the irradiance [Christensen99].
+#include "shared/kernel_arguments.h"
+#include "lib/photon.glsl"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { BeginIrradianceArguments args; };
+
+void main() {
+    uint i = threadIndex();
+    if (i >= args.count) {
+        return;
+    }
+    args.visiblePoints.at[i].depth = 0u;
+    Photon photon = args.photons.at[i];
+    if (photon.surface == kNone || (photon.direction & kMarkedPhoton) == 0u) {
+        return;
+    }
+    vec3 normal = normalize(unpackDirection(photon.surface, kNormalBits));
+    args.visiblePoints.at[i] =
+        VisiblePoint(photon.position, 1u, normal, 0u, vec3(1.0), i, 0u, packUnitVector(normal, 16u), 0.0);
+}

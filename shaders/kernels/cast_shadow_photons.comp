@@ -1,0 +1,37 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Follows photons straight from the light through everything in their way. On diffuse surfaces they leave a direct photon
+// first and shadow photons after that, without power: what the light reaches, and what it does not [JensenChristensen95].
+#include "shared/kernel_arguments.h"
+#include "lib/bsdf.glsl"
+#include "lib/photon.glsl"
+#include "lib/surface.glsl"
+#include "lib/texture.glsl"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { CastShadowPhotonsArguments args; };
+
+void main() {
+    uint i = threadIndex();
+    if (i >= args.count) {
+        return;
+    }
+    args.alive.at[i] = 0u;
+    args.photons.at[args.firstPhoton + i].surface = kNone;
+    Hit hit = args.hits.at[i];
+    if (hit.object == kNone) {
+        return;
+    }
+    Ray ray = args.rays.at[i];
+    PhotonPath path = args.paths.at[i];
+    Surface s = surfaceAt(ray, hit, args.normals, args.instances);
+    if (s.material != kNone && hasDiffusePart(texturedMaterial(args.materials.at[s.material], s))) {
+        args.photons.at[args.firstPhoton + i] =
+            Photon(s.position, packUnitVector(-ray.direction, kDirectionBits), vec3(0.0),
+                   packSurface(s.normal, path.kind, path.light));
+    }
+    path.kind = kPhotonShadow;
+    args.nextRays.at[i] = leaveSurface(s, ray.direction, true);
+    args.nextPaths.at[i] = path;
+    args.alive.at[i] = 1u;
+}

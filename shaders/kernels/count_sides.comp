@@ -1,0 +1,24 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// How many photons of every chunk of a node's three lists go to its left child.
+#include "shared/kernel_arguments.h"
+#include "lib/kdtree.glsl"
+#include "lib/kdtree_chunk.glsl"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { CountSidesArguments args; };
+
+void main() {
+    uint i = threadIndex();
+    if (i >= args.count) {
+        return;
+    }
+    NodeChunk chunk = nodeChunk(i, args.level, args.chunks, args.stored, args.nodes, args.splits);
+    uint middle = chunk.middle.key[chunk.axis];
+    uint left = 0u;
+    for (uint at = chunk.begin; at < chunk.end; ++at) {
+        uint key = args.lists.at[at].key[chunk.axis];
+        left += key < middle || (key == middle && args.lists.at[at].photon < chunk.middle.photon) ? 1u : 0u;
+    }
+    args.counts.at[i] = left;
+}

@@ -1,0 +1,29 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Starts the photons of the caustic map: a light in proportion to power and share, a ray from it towards something
+// specular [Jensen01, ch. 5].
+#include "shared/kernel_arguments.h"
+#include "lib/projection.glsl"
+#include "lib/sampling.glsl"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { EmitCausticPhotonsArguments args; };
+
+void main() {
+    uint photon = threadIndex();
+    if (photon >= args.count) {
+        return;
+    }
+    Sampler s = photonSampler(args.sequence, photon);
+    vec2 choice = sampleUnit(s, kPhotonLight);
+    uint index = pickLight(args.lights, args.lightCount, choice.x);
+    LightRecord light = args.lights.at[index];
+    vec2 uOrigin = sampleUnit(s, kPhotonOrigin);
+    vec2 uDirection = sampleUnit(s, kPhotonDirection);
+    AimedRay ray = aimRay(light, args.targets, args.targetCount, emitFrom(light, uOrigin, uDirection), choice.y, uOrigin,
+                          uDirection);
+    vec3 power = ray.power / (light.pmf * float(args.count));
+    bool dark = maxComponent(power) <= 0.0; // the light does not shine that way: a ray of no length
+    args.rays.at[photon] = Ray(ray.origin, dark ? 0.0 : kInfinity, ray.direction, 0u);
+    args.paths.at[photon] = PhotonPath(power, photon, index, kPhotonDirect, kNone);
+}

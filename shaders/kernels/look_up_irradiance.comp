@@ -1,0 +1,27 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// What a gathering ray finds at the diffuse surface where it ends: the irradiance of the nearest record there
+// [Christensen99], reflected.
+#include "shared/kernel_arguments.h"
+#include "lib/diffuse.glsl"
+#include "lib/nearest.glsl"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { LookUpIrradianceArguments args; };
+
+void main() {
+    uint i = threadIndex();
+    if (i >= args.count) {
+        return;
+    }
+    VisiblePoint y = args.visiblePoints.at[i];
+    if (y.depth == 0u) {
+        return;
+    }
+    findNearest(args.map, NearestQuery(y.position, y.normal, args.radius, 1u, 0xfu, 0u, kMaxDepth));
+    if (heapCount > 0u) {
+        vec4 record = texelFetch(photonTable, int(2u * (args.map.base + heapPhoton[0]) + 1u));
+        // Where that irradiance comes from is not known: from everywhere alike
+        args.gathered.at[i] += (args.scale * meanDiffuseFactor(y.coat)) * y.f * record.xyz;
+    }
+}

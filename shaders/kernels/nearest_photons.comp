@@ -1,0 +1,31 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// The answers of lib/nearest.glsl themselves, so that they can be compared with those of asking every photon.
+#include "shared/kernel_arguments.h"
+#include "lib/nearest.glsl"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { NearestPhotonsArguments args; };
+
+void main() {
+    uint i = threadIndex();
+    if (i >= args.count) {
+        return;
+    }
+    VisiblePoint x = args.visiblePoints.at[i];
+    heapCount = 0u;
+    args.closest.at[i] = kNone;
+    if (x.depth != 0u) {
+        NearestQuery query =
+            NearestQuery(x.position, x.normal, args.radius, args.nearest, args.kinds, x.depth, args.maxDepth);
+        if (kPhotonStructure == kPhotonTree) {
+            uint node = nearestPhoton(x.position, x.normal, args.radius, args.map.base, args.among);
+            args.closest.at[i] = node == kNone ? kNone : args.map.order.at[node];
+        }
+        findNearest(args.map, query);
+        sortNearest(args.map, query);
+    }
+    for (uint j = 0u; j < args.nearest; ++j) {
+        args.found.at[i * args.nearest + j] = j < heapCount ? args.map.order.at[heapPhoton[j]] : kNone;
+    }
+}

@@ -1,0 +1,36 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Parts the three lists of every node of one level: left child, the photon that splits (which leaves the lists here),
+// right child, each in the order it had.
+#include "shared/kernel_arguments.h"
+#include "lib/kdtree.glsl"
+#include "lib/kdtree_chunk.glsl"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { PartSidesArguments args; };
+
+void main() {
+    uint i = threadIndex();
+    if (i >= args.count) {
+        return;
+    }
+    NodeChunk chunk = nodeChunk(i, args.level, args.chunks, args.stored, args.nodes, args.splits);
+    uint middle = chunk.middle.key[chunk.axis];
+    uint leftBefore = args.sums.at[i] - args.sums.at[i - chunk.number];
+    uint left = chunk.first + leftBefore;
+    uint right = chunk.first + kdLeftCount(chunk.nodeCount) + 1u + (chunk.begin - chunk.first) - leftBefore;
+    if (chunk.begin > chunk.first && chunk.begin < chunk.end) {
+        // The photon that splits goes to neither side; it has been passed where this list has it before the chunk
+        KeyedPhoton next = args.lists.at[chunk.begin];
+        right -= isLeft(chunk.middle.key[chunk.list], chunk.middle.photon, next.key[chunk.list], next.photon) ? 1u : 0u;
+    }
+    for (uint at = chunk.begin; at < chunk.end; ++at) {
+        KeyedPhoton photon = args.lists.at[at];
+        if (photon.photon != chunk.middle.photon) {
+            bool goesLeft = isLeft(photon.key[chunk.axis], photon.photon, middle, chunk.middle.photon);
+            args.parted.at[goesLeft ? left : right] = photon;
+            left += goesLeft ? 1u : 0u;
+            right += goesLeft ? 0u : 1u;
+        }
+    }
+}

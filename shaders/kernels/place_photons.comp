@@ -1,0 +1,21 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Copies the photons to their nodes of the kd-tree, each with the axis that it splits.
+#include "shared/kernel_arguments.h"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { PlacePhotonsArguments args; };
+
+void main() {
+    uint i = threadIndex();
+    if (i >= args.count) {
+        return;
+    }
+    uint axisMask = 3u << kSplitAxisShift;
+    uint node = args.nodes.at[i];
+    uint slot = args.slots.at[node & ~axisMask];
+    Photon photon = args.photons.at[slot];
+    photon.direction = (photon.direction & ~axisMask) | (node & axisMask);
+    args.sorted.at[i] = photon;
+    args.order.at[i] = slot;
+}

@@ -1,0 +1,25 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Spares the shadow rays whose answer the photons gave: what is lit gets its light, what is shadowed gets none.
+#include "shared/kernel_arguments.h"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { SkipShadowRaysArguments args; };
+
+void main() {
+    uint i = threadIndex();
+    if (i >= args.count || args.shadowRays.at[i].tMax == 0.0) {
+        return;
+    }
+    bool lit = ((args.lit.at[i] >> args.light) & 1u) != 0u;
+    bool shadowed = ((args.shadowed.at[i] >> args.light) & 1u) != 0u;
+    if (!lit && !shadowed) {
+        atomicAdd(args.counts.at[1], 1u);
+        return;
+    }
+    if (lit) {
+        args.direct.at[i] += args.contributions.at[i];
+    }
+    args.shadowRays.at[i].tMax = 0.0;
+    atomicAdd(args.counts.at[0], 1u);
+}

@@ -1,0 +1,19 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Chooses the axis and the photon that split every node of one level of the kd-tree.
+#include "shared/kernel_arguments.h"
+#include "lib/kdtree.glsl"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { SplitNodesArguments args; };
+
+void main() {
+    uint number = threadIndex();
+    if (number >= args.count) {
+        return;
+    }
+    KdRange range = kdSubtree(KdRange(0u, args.stored), args.level, number);
+    KdSplit split = splitNode(range, args.lists, args.stored);
+    args.nodes.at[args.count - 1u + number] = nodeWord(split);
+    args.splits.at[number] = split.middle;
+}

@@ -1,0 +1,30 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Final gathering: one ray from each visible point, with the density cos / pi that its surface weighs light by.
+#include "shared/kernel_arguments.h"
+#include "lib/diffuse.glsl"
+#include "lib/sampling.glsl"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { StartGatherRaysArguments args; };
+
+void main() {
+    uint i = threadIndex();
+    if (i >= args.count) {
+        return;
+    }
+    args.alive.at[i] = 0u;
+    VisiblePoint x = args.visiblePoints.at[i];
+    if (x.depth == 0u) {
+        return;
+    }
+    uint sequence = gatherSequence(x.samplerSeed);
+    vec3 direction = cosineHemisphere(sampleUnit(Sampler(sequence, args.index), kGatherDirection), x.normal);
+    if (dot(direction, unpackDirection(x.geometricNormal, 16u)) <= 0.0) {
+        return; // a smoothed normal leans over the edge of the surface: no light comes from within
+    }
+    args.rays.at[i] = Ray(x.position, kInfinity, direction, x.from);
+    vec3 beta = x.f * (kPi * diffuseFactor(x.coat, dot(direction, x.normal))); // f cos / (cos / pi)
+    args.paths.at[i] = CameraPath(beta, x.pixel, sequence, kNone, 0.0);
+    args.alive.at[i] = 1u;
+}

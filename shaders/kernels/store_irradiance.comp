@@ -1,0 +1,19 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Turns the marked photons into records that hold the irradiance of their surface in place of a flux [Christensen99].
+#include "shared/kernel_arguments.h"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { StoreIrradianceArguments args; };
+
+void main() {
+    uint i = threadIndex();
+    if (i >= args.count) {
+        return;
+    }
+    Photon photon = args.photons.at[i];
+    bool marked = photon.surface != kNone && (photon.direction & kMarkedPhoton) != 0u;
+    photon.power = args.irradiance.at[i];
+    photon.surface = marked ? photon.surface : kNone;
+    args.records.at[i] = photon;
+}

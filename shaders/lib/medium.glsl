@@ -1,0 +1,17 @@
+// What dielectrics absorb on the way through them.
+#ifndef HYALITE_MEDIUM_GLSL
+#define HYALITE_MEDIUM_GLSL
+#include "shared/limits.h"
+#include "shared/scene_records.h"
+#include "lib/math.glsl"
+
+// Share of the light that is left after a distance [m] in a material (kNone: none): e^(-sigma t), the law of Beer and
+// Lambert.
+vec3 transmittance(MaterialArray materials, uint medium, float distance) {
+    if (medium == kNone) {
+        return vec3(1.0);
+    }
+    vec3 depth = materials.at[medium].extinction * distance;
+    return vec3(exponential(-depth.x), exponential(-depth.y), exponential(-depth.z));
+}
+#endif

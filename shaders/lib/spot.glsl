@@ -1,0 +1,50 @@
+// A spot's intensity about its axis: full in the inner cone, nothing outside the outer one, and between them
+// 3 t^2 - 2 t^3, where t goes evenly in the cosine from 0 at the outer cone to 1 at the inner. The mean of that between
+// the two is 1/2, so that the flux is pi (inner + outer) times the full intensity, with inner and outer the `cone`.
+#ifndef HYALITE_SPOT_GLSL
+#define HYALITE_SPOT_GLSL
+#include "shared/scene_records.h"
+#include "lib/math.glsl"
+
+// Share of the full intensity that goes in `direction`.
+float spotFalloff(LightRecord light, vec3 direction) {
+    vec3 off = direction - light.normal;
+    float x = 0.5 * dot(off, off); // 1 - cos, which keeps its digits in a narrow cone
+    if (x <= light.cone.x) {
+        return 1.0;
+    }
+    if (x >= light.cone.y) {
+        return 0.0;
+    }
+    float t = (light.cone.y - x) / (light.cone.y - light.cone.x);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+// The t at which the falloff has its share u of the flux between the cones: 2 t^3 - t^4 = u. Newton's method comes down
+// on the root, for the left side is convex and u^(1/4) is above it; the smallest u takes the most steps, nine.
+float falloffQuantile(float u) {
+    float t = sqrt(sqrt(u));
+    for (int i = 0; i < 10 && t > 0.0; ++i) {
+        t -= (t * t * t * (2.0 - t) - u) / (t * t * (6.0 - 4.0 * t));
+    }
+    return clamp(t, 0.0, 1.0);
+}
+
+// Direction with a density in proportion to the falloff.
+vec3 sampleSpot(LightRecord light, vec2 u) {
+    float inner = light.cone.x;
+    float between = 0.5 * (light.cone.y - inner);
+    float x = u.x * (inner + between);
+    if (x > inner) {
+        x = max(0.0, light.cone.y - 2.0 * between * falloffQuantile(1.0 - min((x - inner) / between, 1.0)));
+    }
+    float radius = sqrt(x * (2.0 - x));
+    vec2 sc = sinCosTurns(u.y);
+    return fromLocal(vec3(radius * sc.y, radius * sc.x, 1.0 - x), light.normal);
+}
+
+// Density [1/sr] of sampleSpot.
+float spotPdf(LightRecord light, vec3 direction) {
+    return spotFalloff(light, direction) / (kPi * (light.cone.x + light.cone.y));
+}
+#endif

@@ -1,0 +1,161 @@
+"""Photon mapping in two passes as its users see it: the account of flux, saved maps, warnings, layers, views."""
+
+import json
+import struct
+
+from exr import Picture
+from program import BAD_INPUT, USAGE, CliTest, Setup
+
+FEW = ["--resolution", "24x24", "--passes", "1", "--photons", "3000", "--set", "render.caustic_photons=3000"]
+PHOTON_MAP = ["--integrator", "photonmap", *FEW]
+
+# A glass ball above a floor, in the light of a lamp.
+BALL = """hyalite: 1
+camera: {position: [0, 1, 4], resolution: [16, 16]}
+render: {integrator: photonmap, passes: 1, photons: 2000, caustic_photons: 2000}
+materials: {floor: {type: diffuse}, glass: {type: dielectric}}
+lights: [{type: point, position: [0, 3, 0], intensity: 5}]
+objects:
+  - {shape: {type: quad, corner: [-3, -1, -3], edges: [[0, 0, 6], [6, 0, 0]]}, material: floor}
+  - {shape: {type: sphere, radius: 0.5}, material: glass}
+"""
+
+
+class Flux(CliTest):
+    def test_what_every_light_emits_is_stored_absorbed_escapes_or_is_cut_off_in_every_scene(self):
+        scenes = sorted((Setup.source / "scenes").rglob("*.yaml"))
+        self.assertGreaterEqual(len(scenes), 15, scenes)
+        for scene in scenes:
+            with self.subTest(scene.name):
+                arguments = ["render", str(scene), *PHOTON_MAP, "--json", "-o", "a.png"]
+                result = self.run_program(*arguments)  # a warning is allowed: some scenes have no caustics to find
+                self.assertEqual(result.returncode, 0, result.stderr)
+                report = json.loads(result.stdout)
+                self.assertGreater(len(report["lights"]), 0)
+                emitted = [0.0, 0.0, 0.0]
+                for light in report["lights"]:
+                    for channel in range(3):
+                        parts = [light[fate][channel] for fate in ("stored", "absorbed", "escaped", "cut_off")]
+                        emitted[channel] += light["emitted"][channel]
+                        # The device adds in floats: along a path a few roundings of 6e-8 each
+                        self.assertAlmostEqual(sum(parts), light["emitted"][channel],
+                                               delta=1e-5 * light["emitted"][channel])
+                self.assertGreater(sum(emitted), 0)
+
+    def test_aimed_caustic_photons_are_stored_far_more_often_than_others(self):
+        # The ball covers (0.5 / 3)^2 / 4 = 0.7 % of the light's directions
+        self.write("ball.yaml", BALL)
+        share = {}
+        for aimed in ("true", "false"):
+            counts = self.succeed_json("render", "ball.yaml", "--set", f"render.projection_map={aimed}",
+                                       "--set", "render.caustic_photons=20000", "-o", "a.png")["counts"]
+            self.assertEqual(counts["caustic_photons_emitted"], 20000)
+            share[aimed] = counts["caustic_photons_stored"] / 20000
+        self.assertGreater(share["true"], 0.8)
+        self.assertLess(share["false"], 0.011)
+
+
+class SavedMaps(CliTest):
+    def setUp(self):
+        super().setUp()
+        self.write("ball.yaml", BALL)
+
+    def test_loaded_maps_give_the_same_bytes_as_traced_ones_from_any_camera(self):
+        self.succeed("render", "ball.yaml", "--save-photons", "maps", "-o", "a.exr")
+        self.succeed("render", "ball.yaml", "--load-photons", "maps", "-o", "b.exr")
+        self.assertEqual((self.folder / "a.exr").read_bytes(), (self.folder / "b.exr").read_bytes())
+        self.succeed("render", "ball.yaml", "--load-photons", "maps", "--set", "camera.position=[2, 2, 2]", "-o", "c.exr")
+
+    def test_maps_of_another_scene_or_other_settings_are_refused(self):
+        self.succeed("render", "ball.yaml", "--save-photons", "maps", "-o", "a.exr")
+        self.write("other.yaml", BALL.replace("radius: 0.5", "radius: 0.51"))
+        load = ["--load-photons", "maps", "-o", "b.exr"]
+        self.assert_refused(BAD_INPUT, ["maps", "another scene"], ["render", "other.yaml", *load])
+        for setting in ("photons=2001", "caustic_photons=1", "seed=2", "max_depth=5", "shadow_photons=2",
+                        "projection_map=false"):
+            with self.subTest(setting):
+                self.assert_refused(BAD_INPUT, ["maps", "other settings"],
+                                    ["render", "ball.yaml", "--set", f"render.{setting}", *load])
+
+    def test_damaged_maps_are_refused(self):
+        self.succeed("render", "ball.yaml", "--save-photons", "maps", "-o", "a.exr")
+        good = (self.folder / "maps").read_bytes()
+        flipped = bytearray(good)
+        flipped[len(good) // 2] ^= 1
+        greedy = bytearray(good)
+        greedy[16:24] = struct.pack("<Q", 1 << 60)
+        for damage, content in {"cut": good[:-40], "flipped": flipped, "greedy": greedy, "short": b"hya",
+                                "other": b"x" * 500, "none": b""}.items():
+            with self.subTest(damage):
+                self.write("bad", bytes(content))
+                self.assert_refused(BAD_INPUT, ["bad"], ["render", "ball.yaml", "--load-photons", "bad", "-o", "b.exr"])
+        self.assert_refused(BAD_INPUT, ["nowhere"], ["render", "ball.yaml", "--load-photons", "nowhere", "-o", "b.exr"])
+
+    def test_only_photonmap_on_the_device_has_maps_to_save(self):
+        for option in ("--save-photons", "--load-photons"):
+            self.assert_refused(USAGE, ["photonmap"], ["render", "ball.yaml", option, "maps", "--integrator", "ppm",
+                                                       "-o", "b.exr"])
+            self.assert_refused(USAGE, ["reference", option], ["render", "ball.yaml", option, "maps",
+                                                               "--backend", "reference", "-o", "b.exr"])
+
+
+class Views(CliTest):
+    def setUp(self):
+        super().setUp()
+        self.write("ball.yaml", BALL)
+
+    def test_the_layers_add_up_to_the_picture(self):
+        names = ("emitted", "direct", "caustic", "indirect")
+        for backend in ("vulkan", "reference"):
+            self.succeed("render", "ball.yaml", "--layers", "--backend", backend, "-o", "a.exr")
+            picture = Picture(self.folder / "a.exr")
+            layers = [Picture(self.folder / "a.exr", layer=name) for name in names]
+            for y in range(16):
+                for x in range(16):
+                    for channel in range(3):
+                        total = sum(layer.at(x, y)[channel] for layer in layers)
+                        self.assertAlmostEqual(picture.at(x, y)[channel], total, delta=1e-6 * (1 + total))
+            self.assertGreater(max(layers[1].values()), 0)
+            self.assertGreater(max(layers[2].values()), 0)
+
+    def test_every_view_shows_something_of_its_own(self):
+        pictures = {}
+        for view in ("picture", "global_map", "caustic_map", "photons", "radius"):
+            self.succeed("render", "ball.yaml", "--set", f"render.view={view}", "-o", f"{view}.exr")
+            pictures[view] = Picture(self.folder / f"{view}.exr").values()
+            self.assertGreater(max(pictures[view]), 0, view)
+        self.assertEqual(len({tuple(values) for values in pictures.values()}), 5)
+
+    def test_layers_need_a_file_that_can_hold_them(self):
+        self.assert_refused(USAGE, ["--layers", ".exr"], ["render", "ball.yaml", "--layers", "-o", "a.png"])
+
+
+class Warnings(CliTest):
+    def warning(self, scene, *options):
+        self.write("scene.yaml", scene)
+        result = self.run_program("render", "scene.yaml", "-o", "a.png", *options)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result.stderr
+
+    def test_targets_that_no_light_reaches_are_reported(self):
+        # A lid between the lamp and the ball
+        lid = BALL + "  - {shape: {type: quad, corner: [-3, 2, -3], edges: [[0, 0, 6], [6, 0, 0]]}, material: floor}\n"
+        self.assertIn("caustic photons", self.warning(lid))
+        self.assertEqual(self.warning(BALL), "")
+
+    def test_lights_that_shine_into_nothing_are_reported(self):
+        self.assertIn("no photon landed", self.warning(BALL.replace("[0, 3, 0]", "[0, -30, 0]").replace("floor}", "glass}")))
+
+    def test_too_few_photons_for_an_estimate_are_reported(self):
+        self.assertIn("fewer than", self.warning(BALL, "--photons", "20"))
+
+    def test_numbers_out_of_range_are_refused_with_their_place(self):
+        for setting, value in {"nearest": 1, "caustic_nearest": 513, "photons": 0, "caustic_photons": -1,
+                               "caustic_radius": -2, "radius": -1, "gather_rays": 5000, "cone_constant": 0.5,
+                               "shadow_photons": 65, "structure": "tree", "filter": "box", "view": "all"}.items():
+            with self.subTest(setting):
+                self.write("scene.yaml", BALL.replace("passes: 1", f"passes: 1, {setting}: {value}")
+                           if setting not in ("photons", "caustic_photons")
+                           else BALL.replace(f" {setting}: 2000", f" {setting}: {value}"))
+                self.assert_refused(BAD_INPUT, ["scene.yaml:3:", setting],
+                                    ["render", "scene.yaml", "-o", "a.png"])

@@ -1,0 +1,186 @@
+// Absorption in glass on the device against the reference: along camera paths and along photons' paths.
+#include "kernel/kernel_support.h"
+#include "reference/photons.h"
+#include "reference/shading.h"
+
+namespace hyalite::testing {
+
+namespace {
+
+constexpr std::size_t kGlass = 4; // of the Cornell box
+
+// Every second path runs in the glass.
+std::uint32_t mediumOf(std::size_t i) {
+    return i % 2 == 0 ? static_cast<std::uint32_t>(kGlass) : shared::kNone;
+}
+
+Scene absorbingBox() {
+    Scene scene = reference::test::cornellBox();
+    scene.materials[kGlass].model = Dielectric{1.5, {0.3, 1, 40}};
+    scene.render.maxDepth = 6;
+    return scene;
+}
+
+struct Bundle {
+    std::vector<shared::Ray> rays;
+    gpu::Array<shared::Ray> device;
+    gpu::Array<shared::Hit> hits;
+};
+
+// A third of the rays start within the glass ball.
+Bundle bundle(BothSides& both, std::uint32_t count) {
+    Bundle b;
+    reference::test::Random random;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const dvec3 origin = i % 3 == 0 ? dvec3(0.42, -0.67, 0.25) + random.inCube(0.18) : random.inCube(0.99);
+        b.rays.push_back(toDevice({.origin = origin, .direction = random.direction()}));
+    }
+    b.device = both.upload(b.rays);
+    b.hits = both.room<shared::Hit>(count);
+    both.run("trace_closest", shared::TraceClosestArguments{b.device, b.hits, count, both.deviceScene.rootNode}, count);
+    return b;
+}
+
+const Material* materialOf(const BothSides& both, std::uint32_t medium) {
+    return medium == shared::kNone ? nullptr : &both.world.materials[medium];
+}
+
+} // namespace
+
+TEST_CASE("camera paths lose in glass what the reference says, enter it at its front and leave it at its back") {
+    Scene scene = absorbingBox();
+    scene.render.integrator = Integrator::Whitted; // both ways are followed: no choice that rounding could turn
+    scene.render.minWeight = 0;
+    BothSides both(scene);
+    const std::uint32_t count = 10000;
+    const Bundle b = bundle(both, count);
+    std::vector<shared::CameraPath> paths;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        paths.push_back({vec3(0.5, 0.25, 1), i, i, mediumOf(i), 0});
+    }
+    const auto devicePaths = both.upload(paths);
+    const auto visible = both.room<shared::VisiblePoint>(count);
+    const auto emitted = both.room<vec3>(count);
+    const auto nextRays = both.room<shared::Ray>(2 * count);
+    const auto nextPaths = both.room<shared::CameraPath>(2 * count);
+    const auto alive = both.room<shared::uint>(2 * count);
+    const auto& d = both.deviceScene;
+    both.run("shade_surface",
+             shared::ShadeSurfaceArguments{b.device, b.hits, devicePaths, d.materials, d.lights, d.normals, d.instances,
+                                           visible, emitted, nextRays, nextPaths, alive, count, 1, 7, 0, 1, 0},
+             count);
+    std::size_t inGlass = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const reference::Ray ray = toReference(b.rays[i]);
+        const auto hit = reference::traceClosest(both.world, ray);
+        if (!hit || hit->object != both.sceneObject(b.hits.host()[i].object)) {
+            continue;
+        }
+        const reference::CameraPath path{dvec3(paths[i].beta), i, materialOf(both, mediumOf(i))};
+        const auto expected = reference::shadeSurface(both.world, ray, *hit, path, 1, 0);
+        CHECK(distance(emitted.host()[i], expected.emitted) < 1e-5);
+        if (expected.visible) {
+            // t is right to a few 1e-7, a coefficient of 40/m makes 1e-5 of it, of f below 0.1
+            CHECK(distance(visible.host()[i].f, expected.visible->f) < 2e-6);
+        }
+        for (std::size_t way = 0; way < 2; ++way) {
+            const auto& next = expected.next[way];
+            if (next && alive.host()[2 * i + way] != 0) {
+                const shared::CameraPath& actual = nextPaths.host()[2 * i + way];
+                CHECK(materialOf(both, actual.medium) == next->path.medium);
+                const dvec3 normal = reference::evaluateSurface(both.world, ray, *hit).normal;
+                const double condition = conditioning(ray.direction, next->ray.direction, normal);
+                CHECK(distance(actual.beta, next->path.beta) * condition < 2e-5);
+                inGlass += actual.medium == kGlass ? 1 : 0;
+            }
+        }
+    }
+    CHECK(inGlass >
+          count / 6); // those that start in the glass ball with the glass for their medium are reflected in it
+}
+
+TEST_CASE("the kernels' exponential is right to a few roundings wherever it is above zero") {
+    // A light of radiance 1 in the plane z = 0, rays towards it from multiples of 1/8 m in glass that absorbs 1/m: the
+    // distance and its product with the coefficient are exact, e^-t alone is not. The series is right to 6e-9, and
+    // about four roundings of up to 2^-24 each follow: 2.5e-7.
+    Scene scene = reference::test::cornellBox();
+    scene.materials[kGlass].model = Dielectric{1.5, dvec3(1)};
+    scene.objects.clear();
+    reference::test::addObject(scene, Quad{{-1, -1, 0}, {2, 0, 0}, {0, 2, 0}}, std::nullopt, dvec3(1));
+    BothSides both(scene);
+    const std::uint32_t count = 800; // up to 100 m; from 87 on nothing is left
+    std::vector<shared::Ray> rays;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        rays.push_back({vec3(0, 0, static_cast<float>(i + 1) / 8), 3e38F, vec3(0, 0, -1), 0});
+    }
+    const auto device = both.upload(rays);
+    const auto paths =
+        both.upload(std::vector<shared::CameraPath>(count, {vec3(1), 0, 0, static_cast<shared::uint>(kGlass), 0}));
+    const auto hits = both.room<shared::Hit>(count);
+    const auto visible = both.room<shared::VisiblePoint>(count);
+    const auto emitted = both.room<vec3>(count);
+    const auto nextRays = both.room<shared::Ray>(2 * count);
+    const auto nextPaths = both.room<shared::CameraPath>(2 * count);
+    const auto alive = both.room<shared::uint>(2 * count);
+    const auto& d = both.deviceScene;
+    both.run("trace_closest", shared::TraceClosestArguments{device, hits, count, d.rootNode}, count);
+    both.run("shade_surface",
+             shared::ShadeSurfaceArguments{device, hits, paths, d.materials, d.lights, d.normals, d.instances, visible,
+                                           emitted, nextRays, nextPaths, alive, count, 1, 7, 0, 1, 0},
+             count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const double t = (i + 1) / 8.0;
+        const double expected = t < 87 ? std::exp(-t) : 0;
+        CHECK(std::abs(double{emitted.host()[i].x} - expected) <= 2.5e-7 * expected);
+    }
+}
+
+TEST_CASE("photons lose in glass what the reference says, and the account of their flux stays whole") {
+    BothSides both(absorbingBox());
+    const std::uint32_t count = 10000;
+    const Bundle b = bundle(both, count);
+    std::vector<shared::PhotonPath> paths;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        paths.push_back({vec3(3, 2, 1), i, 4, shared::kPhotonIndirect, mediumOf(i)});
+    }
+    const auto devicePaths = both.upload(paths);
+    const auto photons = both.room<shared::Photon>(count);
+    const auto fates = both.upload(std::vector<shared::PhotonFate>(count));
+    const auto nextRays = both.room<shared::Ray>(count);
+    const auto nextPaths = both.room<shared::PhotonPath>(count);
+    const auto alive = both.room<shared::uint>(count);
+    const reference::PhotonPass pass = reference::progressivePass(both.world, 5);
+    const auto& d = both.deviceScene;
+    both.run("scatter_photon",
+             shared::ScatterPhotonArguments{b.device, b.hits, devicePaths, d.materials, d.normals, d.instances, photons,
+                                            fates, nextRays, nextPaths, alive, count, 0, 2, both.scene.render.maxDepth,
+                                            pass.sequence, pass.kinds, 1},
+             count);
+    std::size_t coins = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const shared::PhotonFate& fate = fates.host()[i];
+        const vec3 onward = alive.host()[i] != 0 ? nextPaths.host()[i].power : vec3(0);
+        CHECK(glm::length(fate.stored + fate.absorbed + fate.escaped + fate.cutOff + onward - paths[i].power) < 1e-6F);
+        const reference::Ray ray = toReference(b.rays[i]);
+        const auto hit = reference::traceClosest(both.world, ray);
+        if (!hit || hit->object != both.sceneObject(b.hits.host()[i].object)) {
+            continue;
+        }
+        const reference::PhotonPath path{dvec3(paths[i].power), i, 4, reference::PhotonKind::Indirect,
+                                         materialOf(both, mediumOf(i))};
+        const auto expected = reference::scatterPhoton(both.world, ray, *hit, path, 2, pass);
+        if (expected.stored) {
+            CHECK(distance(photons.host()[i].power, expected.stored->power) < 2e-5); // as above, of 3 W
+        }
+        const shared::PhotonPath& actual = nextPaths.host()[i];
+        if ((alive.host()[i] != 0) != expected.next.has_value() ||
+            (expected.next && materialOf(both, actual.medium) != expected.path.medium)) {
+            ++coins; // the random number and the threshold agree to rounding
+        } else if (expected.next) {
+            CHECK(distance(actual.power, expected.path.power) < 2e-5);
+        }
+    }
+    CHECK(coins <= 2);
+}
+
+} // namespace hyalite::testing

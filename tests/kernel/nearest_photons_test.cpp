@@ -1,0 +1,184 @@
+// The nearest photons that the kernels find in trees and grids, against those that asking every photon finds.
+#include "kernel/photon_sets.h"
+#include "render/photon_grid.h"
+#include "render/photon_query.h"
+#include "render/photon_tree.h"
+
+#include <algorithm>
+
+namespace hyalite::testing {
+
+namespace {
+
+constexpr std::uint32_t kPhotons = 6000;
+constexpr std::uint32_t kQueries = 850; // 8 sets, 3 radii, 5 numbers of photons: 102 000 in all
+constexpr std::uint32_t kKinds = 1U << shared::kPhotonIndirect | 1U << shared::kPhotonCaustic;
+constexpr std::uint32_t kMaxDepth = 5;
+constexpr std::uint32_t kDown = 0; // octahedral (-1, -1) is (0, 0, -1), at any number of bits
+
+// Slots that hold photons of every kind, length and side, and what makes each count.
+struct MixedPhotons {
+    std::vector<shared::Photon> slots;
+    std::vector<bool> sameSurface; // it landed on an upward one …
+    std::vector<bool> sameSide;    // … from above, and is of a kind that is asked for
+    std::vector<std::uint32_t> length;
+};
+
+MixedPhotons mixed(const PhotonSet& set) {
+    MixedPhotons photons{.slots = slotsOf(set), .sameSurface = {}, .sameSide = {}, .length = {}};
+    for (std::uint32_t slot = 0; slot < photons.slots.size(); ++slot) {
+        shared::Photon& photon = photons.slots[slot];
+        const std::uint32_t die = shared::hash(slot);
+        const bool stored = photon.surface != shared::kNone;
+        const std::uint32_t kind = die % 8 == 0 ? shared::kPhotonShadow : die % 3;
+        const bool downward = die / 8 % 8 == 0;
+        const bool fromBelow = downward || die / 64 % 8 == 0;
+        // A direct photon has its light where others have their length
+        const std::uint32_t length =
+            kind == shared::kPhotonDirect || kind == shared::kPhotonShadow ? 77 : 2 + die / 512 % 3;
+        if (stored) {
+            const std::uint32_t normal = downward ? kDown : photon.surface & ((1U << shared::kKindShift) - 1);
+            photon.surface = normal | kind << shared::kKindShift | length << shared::kLengthShift;
+            photon.direction = fromBelow ? kDown : photon.direction;
+        }
+        photons.sameSurface.push_back(stored && !downward);
+        photons.sameSide.push_back(stored && !fromBelow && (kKinds >> kind & 1U) != 0);
+        photons.length.push_back(length);
+    }
+    return photons;
+}
+
+// As the kernels compute it.
+float distance2(const vec3& a, const vec3& b) {
+    const vec3 way = a - b;
+    return way.x * way.x + way.y * way.y + way.z * way.z;
+}
+
+// Slots of the nearest, by distance and slot, then kNone.
+std::vector<std::uint32_t> askEvery(const MixedPhotons& photons, const shared::VisiblePoint& x, std::uint32_t nearest,
+                                    float radius) {
+    std::vector<std::pair<float, std::uint32_t>> found;
+    for (std::uint32_t slot = 0; slot < photons.slots.size(); ++slot) {
+        const float d2 = distance2(photons.slots[slot].position, x.position);
+        if (photons.sameSide[slot] && d2 <= radius * radius && photons.length[slot] + x.depth <= kMaxDepth) {
+            found.emplace_back(d2, slot);
+        }
+    }
+    const std::size_t count = std::min<std::size_t>(nearest, found.size());
+    std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), found.end());
+    std::vector<std::uint32_t> slots(nearest, shared::kNone);
+    for (std::size_t i = 0; i < count; ++i) {
+        slots[i] = found[i].second;
+    }
+    return slots;
+}
+
+std::vector<shared::VisiblePoint> queriesNear(const PhotonSet& set, double spread, reference::test::Random& random) {
+    std::vector<shared::VisiblePoint> points;
+    for (std::uint32_t i = 0; i < kQueries; ++i) {
+        dvec3 at = random.inCube(1.1);
+        if (!set.positions.empty() && i % 4 != 0) { // at a photon, near one, anywhere
+            at = dvec3(set.positions[i * 7 % set.positions.size()]) + (i % 4 == 1 ? 0.0 : spread) * random.inCube(1);
+        }
+        shared::VisiblePoint x{};
+        x.position = vec3(at);
+        x.normal = {0, 0, 1};
+        x.depth = i % 50 == 0 ? 0 : 1 + i % 3;
+        points.push_back(x);
+    }
+    return points;
+}
+
+struct Maps {
+    render::PhotonTree tree;
+    render::PhotonGrid grid;
+    gpu::Array<shared::Photon> table; // the tree, then the grid
+
+    Maps(BothSides& both, const std::vector<shared::Photon>& slots, float radius)
+        : tree(both.device), grid(both.device), table(both.room<shared::Photon>(2 * slots.size() + 3)) {
+        const auto deviceSlots = both.upload(slots);
+        const auto count = static_cast<std::uint32_t>(slots.size());
+        tree.build(both.device, deviceSlots, count, table, 3);
+        grid.build(both.device, deviceSlots, count, radius, table, 3 + tree.photonCount());
+        both.device.commands.finish();
+        both.device.tables.set(TABLE_PHOTONS, table.buffer(), gpu::TexelFormat::Float4);
+    }
+};
+
+} // namespace
+
+TEST_CASE("tree and grid find exactly the photons that asking every photon finds, in order of distance") {
+    BothSides both(reference::test::cornellBox());
+    reference::test::Random random;
+    for (const PhotonSet& set : hardPhotonSets(kPhotons)) {
+        const MixedPhotons photons = mixed(set);
+        for (const float radius : {0.05F, 0.4F, 4.0F}) {
+            const Maps maps(both, photons.slots, radius);
+            for (const std::uint32_t nearest : {1U, 2U, 50U, 200U, 512U}) {
+                INFO(set.name << ", radius " << radius << ", " << nearest << " photons");
+                const auto points = queriesNear(set, 0.5 * radius, random);
+                const auto devicePoints = both.upload(points);
+                const auto found = both.room<shared::uint>(std::size_t{kQueries} * nearest);
+                const auto closest = both.room<shared::uint>(kQueries);
+                const render::PhotonSearch search{nearest, radius, kKinds, kMaxDepth};
+                std::vector<std::uint32_t> answers[2];
+                for (const auto structure : {render::PhotonStructure::Tree, render::PhotonStructure::Grid}) {
+                    const bool isTree = structure == render::PhotonStructure::Tree;
+                    const render::NearestPhotons query(both.device, structure, nearest);
+                    query.run(both.device, isTree ? maps.tree.map() : maps.grid.map(), devicePoints, kQueries, search,
+                              found, closest, 0);
+                    both.device.commands.finish();
+                    answers[isTree ? 0 : 1] = found.read();
+                }
+                REQUIRE(answers[0] == answers[1]);
+                std::size_t wrong = 0;
+                for (std::uint32_t i = 0; i < kQueries; ++i) {
+                    auto expected = points[i].depth == 0 ? std::vector<std::uint32_t>(nearest, shared::kNone)
+                                                         : askEvery(photons, points[i], nearest, radius);
+                    const auto* actual = answers[0].data() + std::size_t{i} * nearest;
+                    wrong += std::equal(expected.begin(), expected.end(), actual) ? 0 : 1;
+                }
+                REQUIRE(wrong == 0);
+            }
+        }
+    }
+}
+
+TEST_CASE("the closest photon on the same surface is found among the first nodes of the tree") {
+    BothSides both(reference::test::cornellBox());
+    reference::test::Random random;
+    const render::NearestPhotons query(both.device, render::PhotonStructure::Tree, 1);
+    for (const PhotonSet& set : hardPhotonSets(kPhotons)) {
+        const MixedPhotons photons = mixed(set);
+        const Maps maps(both, photons.slots, 0.4F);
+        for (const std::uint32_t among : {1U, 2U, 100U, 1500U, 6000U}) {
+            INFO(set.name << ", the first " << among);
+            const float radius = among % 4 == 0 ? 0.4F : 3.0F;
+            const auto points = queriesNear(set, 0.3, random);
+            const auto devicePoints = both.upload(points);
+            const auto found = both.room<shared::uint>(kQueries);
+            const auto closest = both.room<shared::uint>(kQueries);
+            query.run(both.device, maps.tree.map(), devicePoints, kQueries, {1, radius, kKinds, kMaxDepth}, found,
+                      closest, among);
+            both.device.commands.finish();
+            const auto order = maps.tree.order().host();
+            std::size_t wrong = 0;
+            for (std::uint32_t i = 0; i < kQueries; ++i) {
+                float least = INFINITY;
+                for (std::uint32_t node = 0; node < std::min(among, maps.tree.photonCount()); ++node) {
+                    const float d2 = distance2(photons.slots[order[node]].position, points[i].position);
+                    least = photons.sameSurface[order[node]] && d2 <= radius * radius ? std::min(least, d2) : least;
+                }
+                const std::uint32_t slot = closest.host()[i];
+                const bool none = points[i].depth == 0 || least == INFINITY;
+                const bool right = none ? slot == shared::kNone
+                                        : slot != shared::kNone && photons.sameSurface[slot] &&
+                                              distance2(photons.slots[slot].position, points[i].position) == least;
+                wrong += right ? 0 : 1;
+            }
+            REQUIRE(wrong == 0);
+        }
+    }
+}
+
+} // namespace hyalite::testing

@@ -1,0 +1,229 @@
+// The kernels of photon mapping that are its own, against their twins.
+#include "kernel/kernel_support.h"
+#include "reference/projection_map.h"
+#include "reference/photons.h"
+#include "reference/shadow_photons.h"
+#include "render/photon_paths.h"
+#include "render/photon_slots.h"
+#include "render/shadow_photons.h"
+
+#include <algorithm>
+
+namespace hyalite::testing {
+
+namespace {
+
+// Point, quad, disk, sphere: one light far off, one near the glass, one inside the mirror's bounding sphere.
+Scene litBox() {
+    Scene scene = reference::test::cornellBox();
+    scene.lights = {{{0.2, 0.5, 0.1}, {1, 2, 3}}, {{-0.42, -0.3, -0.25}, {0.4, 0.1, 0.2}}};
+    reference::test::addObject(scene, Disk{{0.5, 0.9, -0.5}, {0.2, 0, 0}, {0, 0.05, 0.3}}, std::nullopt, {5, 5, 2});
+    reference::test::addObject(scene, Sphere{{-0.5, 0.5, 0.5}, 0.15}, std::nullopt, {2, 6, 3});
+    return scene;
+}
+
+// A torus and a ball of glass whose spheres overlap from most sides, and a light within the torus' hole.
+Scene overlapping() {
+    Scene scene = litBox();
+    reference::test::addObject(scene, Torus{0.3, 0.08, glm::translate(glm::dmat4(1), dvec3(-0.3, 0.1, 0))}, 4);
+    reference::test::addObject(scene, Sphere{{-0.2, 0.15, 0.2}, 0.2}, 4);
+    scene.lights.push_back({{-0.3, 0.1, 0}, dvec3(1)});
+    return scene;
+}
+
+struct Emitted {
+    std::vector<shared::Ray> rays;
+    std::vector<shared::PhotonPath> paths;
+};
+
+Emitted emitCausticPhotons(BothSides& both, const reference::PhotonPass& pass) {
+    const auto rays = both.room<shared::Ray>(pass.count);
+    const auto paths = both.room<shared::PhotonPath>(pass.count);
+    both.run("emit_caustic_photons",
+             shared::EmitCausticPhotonsArguments{both.deviceScene.lights, both.deviceScene.targets, rays, paths,
+                                                 pass.count, both.deviceScene.lightCount, both.deviceScene.targetCount,
+                                                 pass.sequence},
+             pass.count);
+    return {rays.read(), paths.read()};
+}
+
+reference::PhotonPass causticPass(std::uint32_t count) {
+    return {.sequence = shared::photonSequence(1, shared::kCausticPhotons, 0),
+            .count = count,
+            .kinds = reference::kindBit(reference::PhotonKind::Caustic),
+            .aimed = true};
+}
+
+double meanOf(const vec3& c) {
+    return (double{c.x} + c.y + c.z) / 3;
+}
+
+} // namespace
+
+TEST_CASE("aimed photons leave the lights as in the reference") {
+    for (const Scene& scene : {litBox(), overlapping()}) {
+        BothSides both(scene);
+        const reference::PhotonPass pass = causticPass(20000);
+        const Emitted emitted = emitCausticPhotons(both, pass);
+        std::size_t parted = 0;
+        for (std::uint32_t i = 0; i < pass.count; ++i) {
+            const reference::Emission expected = reference::emitPhoton(both.world, i, pass);
+            const double strength = glm::length(expected.power);
+            // At the rim of a cone or of the lamp's horizon a photon is in on one side only, or has another overlap
+            if (emitted.paths[i].light != expected.light ||
+                distance(emitted.paths[i].power, expected.power) > 1e-3 * strength ||
+                distance(emitted.rays[i].direction, expected.ray.direction) > 1e-4) {
+                ++parted;
+                continue;
+            }
+            CHECK(distance(emitted.rays[i].origin, expected.ray.origin) < 1e-5);
+            CHECK((emitted.rays[i].tMax == 0) == (strength == 0));
+        }
+        CHECK(parted <= 20);
+    }
+}
+
+TEST_CASE("aimed photons carry the flux that the light sends towards the targets") {
+    // A point light of 1 W/sr at the distance 2 from a ball of radius 0.5, and from another that overlaps it: the flux
+    // through the union of the two cones is what the share of unaimed photons through it says. One cone alone holds
+    // 2 pi (1 - cos a) with sin a = 1/4: 0.19946 sr.
+    Scene scene;
+    const std::size_t glass = reference::test::addMaterial(scene, Dielectric{1.5});
+    scene.lights = {{{0, 0, 0}, dvec3(1)}};
+    reference::test::addObject(scene, Sphere{{2, 0, 0}, 0.5}, glass);
+    const std::uint32_t count = 40000;
+    const auto fluxOf = [&](const Emitted& emitted) {
+        double flux = 0;
+        for (const shared::PhotonPath& path : emitted.paths) {
+            flux += meanOf(path.power);
+        }
+        return flux;
+    };
+    {
+        BothSides both(scene);
+        const double cone = 2 * std::numbers::pi * (1 - std::sqrt(1 - 1.0 / 16));
+        CHECK(std::abs(fluxOf(emitCausticPhotons(both, causticPass(count))) / cone - 1) < 1e-4); // margin of 2e-5 twice
+    }
+    reference::test::addObject(scene, Sphere{{2, 0.4, 0.1}, 0.6}, glass);
+    BothSides both(scene);
+    const Emitted emitted = emitCausticPhotons(both, causticPass(count));
+    // By an even grid of directions: longitude and the sine of latitude
+    std::size_t inside = 0;
+    const int grid = 2000;
+    for (int i = 0; i < grid; ++i) {
+        for (int j = 0; j < grid; ++j) {
+            const double z = 2 * (i + 0.5) / grid - 1;
+            const double phi = 2 * std::numbers::pi * (j + 0.5) / grid;
+            const double s = std::sqrt(1 - z * z);
+            const dvec3 direction(s * std::cos(phi), s * std::sin(phi), z);
+            const auto meets = [&](const dvec3& center, double radius) {
+                return glm::dot(direction, center) > 0 && glm::length(glm::cross(direction, center)) < radius;
+            };
+            inside += meets({2, 0, 0}, 0.5) || meets({2, 0.4, 0.1}, 0.6) ? 1 : 0;
+        }
+    }
+    const double expected = 4 * std::numbers::pi * static_cast<double>(inside) / (double{grid} * grid);
+    // Weights are 1 or 1/2 of the same size: a standard deviation below 1/2 / sqrt(40 000) = 0.25 %; five of them
+    CHECK(std::abs(fluxOf(emitted) / expected - 1) < 0.0125);
+    // Where cones overlap a photon carries half
+    std::vector<double> powers;
+    for (const shared::PhotonPath& path : emitted.paths) {
+        powers.push_back(meanOf(path.power));
+    }
+    const auto [low, high] = std::ranges::minmax(powers);
+    CHECK(std::abs(low / high - 0.5) < 1e-3);
+}
+
+TEST_CASE("shadow photons fall where the reference's fall") {
+    Scene scene = litBox();
+    scene.render.photons = 3000;
+    BothSides both(scene);
+    render::ShadowPhotonPaths paths(both.device, both.scene, both.deviceScene, scene.render.photons);
+    const std::uint32_t slots = paths.cast(scene.render.photons);
+    both.device.commands.finish();
+    const std::vector<shared::Photon> photons = render::storedPhotons(paths.photons(), slots);
+    std::vector<reference::Photon> expected = reference::castShadowPhotons(both.world, 0);
+    // The device lists them hit by hit
+    std::ranges::stable_sort(expected, {}, &reference::Photon::depth);
+    CHECK(std::abs(double(photons.size()) - double(expected.size())) <= 3); // a path past an edge
+    std::size_t direct = 0;
+    std::size_t alike = 0;
+    for (std::size_t i = 0; i < std::min(photons.size(), expected.size()); ++i) {
+        const bool same = distance(photons[i].position, expected[i].position) < 1e-4;
+        alike += same ? 1 : 0;
+        if (same) {
+            CHECK(((photons[i].surface >> shared::kKindShift) & 3U) == static_cast<std::uint32_t>(expected[i].kind));
+            CHECK(photons[i].surface >> shared::kLengthShift == expected[i].light);
+            CHECK(photons[i].power == vec3(0));
+            direct += expected[i].kind == reference::PhotonKind::Direct ? 1 : 0;
+        }
+    }
+    CHECK(alike >= expected.size() * 0.99);
+    CHECK(direct > 1000);
+    CHECK(alike - direct > 1000);
+}
+
+TEST_CASE("a gathering ray leaves with the numbers and the weight of the reference's, never into the surface") {
+    BothSides both(reference::test::cornellBox());
+    reference::test::Random random;
+    const std::uint32_t count = 5000;
+    const std::uint32_t index = 37;
+    std::vector<shared::VisiblePoint> points(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        points[i] = {random.inCube(1), i % 3, random.direction(), shared::hash(i), vec3(0.3, 0.2, 0.1), i, 5, 0};
+        points[i].geometricNormal = 0x7fffU | 0x7fffU << 16U; // +z
+    }
+    const auto devicePoints = both.upload(points);
+    const auto rays = both.room<shared::Ray>(count);
+    const auto paths = both.room<shared::CameraPath>(count);
+    const auto alive = both.room<shared::uint>(count);
+    both.run("start_gather_rays", shared::StartGatherRaysArguments{devicePoints, rays, paths, alive, count, index},
+             count);
+    std::size_t started = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const shared::Sampler sampler{shared::gatherSequence(points[i].samplerSeed), index};
+        const dvec3 direction = reference::cosineHemisphere(
+            reference::sampleUnitSquare(sampler, shared::kGatherDirection), dvec3(points[i].normal));
+        if (std::abs(direction.z) < 1e-4) {
+            continue; // on the horizon either side may say no
+        }
+        REQUIRE((alive.host()[i] == 1) == (points[i].depth > 0 && direction.z > 0));
+        if (alive.host()[i] == 1) {
+            ++started;
+            CHECK(distance(rays.host()[i].direction, direction) < 2e-6);
+            CHECK(rays.host()[i].from == 5);
+            CHECK(distance(paths.host()[i].beta, dvec3(points[i].f) * std::numbers::pi) < 1e-6);
+            CHECK(paths.host()[i].pixel == i);
+        }
+    }
+    CHECK(started > count / 4);
+}
+
+TEST_CASE("known visibility spares shadow rays: lit places get the light, hidden ones none") {
+    BothSides both(reference::test::cornellBox());
+    const std::uint32_t count = 300;
+    std::vector<shared::uint> lit(count);
+    std::vector<shared::uint> shadowed(count);
+    std::vector<shared::Ray> rays(count, {vec3(0), 1, vec3(0, 0, 1), 0});
+    for (std::uint32_t i = 0; i < count; ++i) {
+        lit[i] = i % 3 == 0 ? 1U << 2U : 1U; // light 2, or another
+        shadowed[i] = i % 3 == 1 ? 1U << 2U : 1U << 4U;
+        rays[i].tMax = i < 30 ? 0.0F : 1.0F; // nothing to trace
+    }
+    const auto deviceRays = both.upload(rays);
+    const auto direct = both.upload(std::vector<vec3>(count, vec3(1)));
+    const auto counts = both.upload(std::vector<shared::uint>{0, 0});
+    both.run("skip_shadow_rays",
+             shared::SkipShadowRaysArguments{both.upload(lit), both.upload(shadowed), deviceRays,
+                                             both.upload(std::vector<vec3>(count, vec3(2))), direct, counts, 2, count},
+             count);
+    CHECK(counts.host()[0] == 180);
+    CHECK(counts.host()[1] == 90);
+    for (std::uint32_t i = 30; i < count; ++i) {
+        CHECK(direct.host()[i] == (i % 3 == 0 ? vec3(3) : vec3(1)));
+        CHECK((deviceRays.host()[i].tMax > 0) == (i % 3 == 2));
+    }
+    CHECK(direct.host()[0] == vec3(1));
+}
+
+} // namespace hyalite::testing

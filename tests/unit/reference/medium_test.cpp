@@ -1,0 +1,74 @@
+// Absorption in glass against closed forms.
+#include "reference/medium.h"
+
+#include "reference/photons.h"
+#include "reference/whitted.h"
+#include "unit/reference/support.h"
+
+#include <cmath>
+
+using namespace hyalite;
+using namespace hyalite::reference;
+using namespace hyalite::reference::test;
+
+namespace {
+
+// A pane of thickness d across the z axis between the camera and a light of radiance 1.
+Scene pane(double d, const Dielectric& glass) {
+    Scene scene = onePixel({0, 0, 3}, {0, 0, 0}, Integrator::Whitted);
+    scene.render.maxDepth = 60;
+    scene.render.minWeight = 0;
+    const std::size_t material = addMaterial(scene, glass);
+    addObject(scene, Quad{{-1, -1, d / 2}, {2, 0, 0}, {0, 2, 0}}, material);                  // faces the camera
+    addObject(scene, Quad{{-1, -1, -d / 2}, {0, 2, 0}, {2, 0, 0}}, material);                 // faces the light
+    addObject(scene, Quad{{-1, -1, -3}, {2, 0, 0}, {0, 2, 0}}, std::nullopt, dvec3(1, 1, 1)); // the light
+    return scene;
+}
+
+} // namespace
+
+TEST_CASE("a pane transmits (1 - F)^2 a / (1 - F^2 a^2), where a is what one passage leaves") {
+    // a = e^(-sigma d). Straight through: (1 - F) a (1 - F); every further pair of reflections within the pane takes
+    // F^2 and two passages more: a geometric series. F = ((n - 1) / (n + 1))^2 at normal incidence.
+    const double d = 0.4;
+    const double n = 1.5;
+    const dvec3 sigma(0, 1.5, 6);
+    const double F = std::pow((n - 1) / (n + 1), 2);
+    const World world = prepareWorld(pane(d, Dielectric{n, sigma}));
+    const dvec3 L = whittedRadiance(world, 0, 0);
+    for (int channel = 0; channel < 3; ++channel) {
+        const double a = std::exp(-sigma[channel] * d);
+        const double expected = (1 - F) * (1 - F) * a / (1 - F * F * a * a);
+        CHECK_THAT(L[channel], WithinRel(expected, 1e-7)); // rays lean by up to 1e-4: the passage grows by 1e-8
+    }
+}
+
+TEST_CASE("a photon loses light on its way through glass, and only there") {
+    const dvec3 sigma(0.5, 1, 2);
+    const World world = prepareWorld(pane(0.4, Dielectric{1.5, sigma}));
+    PhotonPass pass = progressivePass(world, 0);
+    PhotonPath path{.power = dvec3(1), .photon = 0, .light = 0, .kind = PhotonKind::Direct, .medium = nullptr};
+    // From the light onto the pane, through it, and out: whichever of its random numbers refract it
+    std::optional<Ray> ray = Ray{.origin = {0, 0, -2}, .direction = {0, 0, 1}};
+    for (std::uint32_t depth = 1; ray && depth <= 2; ++depth) {
+        const auto hit = traceClosest(world, *ray);
+        REQUIRE(hit);
+        PhotonScatter scatter;
+        do {
+            scatter = scatterPhoton(world, *ray, *hit, path, depth, pass);
+            ++path.photon;
+        } while (scatter.next->direction.z < 0);
+        ray = scatter.next;
+        path = scatter.path;
+        CHECK((path.medium == nullptr) == (depth == 2));
+    }
+    checkNear(path.power, glm::exp(-sigma * 0.4), 1e-12);
+}
+
+TEST_CASE("what no dielectric fills absorbs nothing") {
+    const Material mirror{.name = {}, .model = Mirror{}};
+    CHECK(transmittance(nullptr, 5) == dvec3(1));
+    CHECK(transmittance(&mirror, 5) == dvec3(1));
+    const Material glass{.name = {}, .model = Dielectric{1.5, {0, 1, 2}}};
+    checkNear(transmittance(&glass, 3), {1, std::exp(-3.0), std::exp(-6.0)}, 1e-15);
+}

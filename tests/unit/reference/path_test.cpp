@@ -1,0 +1,126 @@
+// Path tracing against series known on paper, and against photon mapping.
+#include "reference/path.h"
+
+#include "reference/ppm.h"
+#include "unit/reference/support.h"
+
+#include <cmath>
+#include <numbers>
+
+using namespace hyalite;
+using namespace hyalite::reference;
+using namespace hyalite::reference::test;
+
+namespace {
+
+using std::numbers::pi;
+
+struct Estimate {
+    double mean = 0;
+    double deviation = 0; // of the mean, as if the samples were independent: stratified ones deviate less
+};
+
+Estimate estimate(const World& world, std::uint32_t samples) {
+    double sum = 0;
+    double squares = 0;
+    for (std::uint32_t pass = 0; pass < samples; ++pass) {
+        const double L = pathRadiance(world, 0, pass).x;
+        sum += L;
+        squares += L * L;
+    }
+    const double mean = sum / samples;
+    return {mean, std::sqrt((squares / samples - mean * mean) / samples)};
+}
+
+// A diffuse sphere of radius 1 with a point light of intensity 1 in its middle.
+Scene litSphere(double albedo, std::uint32_t maxDepth) {
+    Scene scene = onePixel({0.2, 0.1, 0}, {1, 0.3, 0.2}, Integrator::Path);
+    scene.render.maxDepth = maxDepth;
+    scene.lights = {{.position = {0, 0, 0}, .intensity = dvec3(1)}};
+    addObject(scene, Sphere{{0, 0, 0}, 1}, addMaterial(scene, Diffuse{dvec3(albedo)}));
+    return scene;
+}
+
+// A closed cube whose walls are diffuse and emit radiance 1 inwards.
+Scene furnace(double albedo, std::uint32_t maxDepth) {
+    Scene scene = onePixel({0, 0, 0}, {0.3, 0.2, 1}, Integrator::Path);
+    scene.render.maxDepth = maxDepth;
+    const std::size_t wall = addMaterial(scene, Diffuse{dvec3(albedo)});
+    for (int axis = 0; axis < 3; ++axis) {
+        dvec3 n(0);
+        dvec3 a(0);
+        dvec3 b(0);
+        n[axis] = 1;
+        a[(axis + 1) % 3] = 2;
+        b[(axis + 2) % 3] = 2;
+        addObject(scene, Quad{-n - 0.5 * (a + b), a, b}, wall, dvec3(1)); // a x b = n: inwards
+        addObject(scene, Quad{n - 0.5 * (a + b), b, a}, wall, dvec3(1));
+    }
+    return scene;
+}
+
+} // namespace
+
+TEST_CASE("in a sphere lit from its middle direct light is albedo / pi times the intensity") {
+    // E = I / r^2 = 1, seen under normal incidence everywhere: L = albedo / pi. No random number changes it.
+    const World world = prepareWorld(litSphere(0.5, 2));
+    for (std::uint32_t pass = 0; pass < 10; ++pass) {
+        CHECK_THAT(pathRadiance(world, 0, pass).x, WithinRel(0.5 / pi, 1e-9));
+    }
+    CHECK(pathRadiance(prepareWorld(litSphere(0.5, 1)), 0, 0) == dvec3(0)); // a point light cannot be seen
+}
+
+TEST_CASE("in a sphere of albedo 1/2 lit from its middle radiance is I / pi, cut short the first terms of its series") {
+    // The sphere sees itself evenly: each bounce brings albedo times the one before. After n segments
+    // L = 1/pi (1/2 + 1/4 + ... + 2^-(n-1)); without an end 1/pi.
+    for (const std::uint32_t maxDepth : {3U, 5U, 100U}) {
+        const Estimate e = estimate(prepareWorld(litSphere(0.5, maxDepth)), 20000);
+        const double expected = (1 - std::pow(0.5, maxDepth - 1.0)) / pi;
+        CHECK(e.deviation < 0.01 * expected);
+        CHECK(std::abs(e.mean - expected) < 5 * e.deviation);
+    }
+}
+
+TEST_CASE("in a closed furnace radiance is 1 / (1 - albedo), cut short the first terms of its series") {
+    // Every direction from every point brings radiance 1 times the series 1 + a + a^2 + ...; n segments are n terms
+    for (const double albedo : {0.3, 0.8}) {
+        for (const std::uint32_t maxDepth : {1U, 2U, 3U, 60U}) {
+            const Estimate e = estimate(prepareWorld(furnace(albedo, maxDepth)), 20000);
+            const double expected = (1 - std::pow(albedo, maxDepth)) / (1 - albedo);
+            INFO("albedo " << albedo << ", depth " << maxDepth << ", mean " << e.mean << " +- " << e.deviation);
+            CHECK(e.deviation < 0.02 * expected);
+            CHECK(std::abs(e.mean - expected) <= 5 * e.deviation + 1e-9);
+        }
+    }
+}
+
+TEST_CASE("light seen through a pane or in a mirror is counted once") {
+    // Mirror of reflectance 0.5 at 45 degrees between the camera and a light of radiance 1
+    Scene scene = onePixel({0, 0, 3}, {0, 0, 0}, Integrator::Path);
+    addObject(scene, Quad{{-1, -1, -1}, {2, 0, 2}, {0, 2, 0}}, addMaterial(scene, Mirror{dvec3(0.5)}));
+    addObject(scene, Quad{{-3, -1, -1}, {0, 2, 0}, {0, 0, 2}}, std::nullopt, dvec3(1));
+    CHECK_THAT(pathRadiance(prepareWorld(scene), 0, 0).x, WithinRel(0.5, 1e-9));
+}
+
+TEST_CASE("the mean of the default scene's picture is that of photon mapping") {
+    Scene scene = cornellBox();
+    scene.render.passes = 300;
+    scene.render.integrator = Integrator::Path;
+    const auto mean = [](const Image& image) {
+        double sum = 0;
+        for (const glm::vec3& pixel : image.pixels) {
+            sum += static_cast<double>(pixel.x + pixel.y + pixel.z);
+        }
+        return sum / static_cast<double>(image.pixels.size());
+    };
+    const double path = mean(render(scene));
+    scene.render.passes = 60;
+    scene.render.photons = 10000;
+    scene.render.radius = 0.05;
+    scene.render.integrator = Integrator::Ppm;
+    const double ppm = mean(render(scene));
+    INFO("path " << path << ", ppm " << ppm);
+    // 256 pixels of 300 paths whose radiance deviates by twice its mean: 0.7 %. Photon mapping loses light where its
+    // discs reach beyond the walls: a band of 0.05 along edges of 2 m, where half a disc is missing at most: 1 %.
+    CHECK(std::abs(path - ppm) < 0.03 * ppm);
+}

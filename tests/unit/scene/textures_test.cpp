@@ -1,0 +1,226 @@
+// Textures in the scene file, in the materials that name them, and in mesh files.
+#include "unit/scene/bad_scene.h"
+#include "unit/scene/mesh_gltf_support.h"
+
+#include "image/image_io.h"
+#include "scene/mesh_import.h"
+
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+
+using namespace hyalite;
+using namespace hyalite::test;
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+const std::string kStart = "hyalite: 1\nlights: [{type: point, position: [0, 1, 0]}]\n";
+const std::string kObject = "objects: [{shape: {type: sphere, radius: 1}, material: m}]\n";
+
+// One red above one gray pixel; the gray is stored as 188: ((188 / 255 + 0.055) / 1.055)^2.4 = 0.5029 of the light.
+Image redAndGray() {
+    Image image(1, 2);
+    image.at(0, 0) = {1, 0, 0};
+    image.at(0, 1) = glm::vec3(0.5029F);
+    return image;
+}
+
+Scene loadWith(TemporaryFolder& folder, const std::string& textures, const std::string& material) {
+    return loadScene(folder.write("scene.yaml", kStart + "textures: {t: " + textures + "}\nmaterials: {m: " + material +
+                                                    "}\n" + kObject));
+}
+
+// A triangle in glTF with one material of one texture, whose image is as `image` says.
+Gltf texturedGltf(const json& image) {
+    Gltf gltf = pyramidGltf();
+    const std::size_t uv =
+        gltf.add(bytesOf(std::vector<float>(2 * kCorners.size(), 0.25F)), "VEC2", kFloat, kCorners.size());
+    json& primitive = gltf.document["meshes"][0]["primitives"][0];
+    primitive["attributes"]["TEXCOORD_0"] = uv;
+    primitive["material"] = 0;
+    gltf.document["materials"] = {
+        {{"pbrMetallicRoughness",
+          {{"baseColorFactor", {0.5, 1, 1, 1}}, {"metallicFactor", 0}, {"baseColorTexture", {{"index", 0}}}}}}};
+    gltf.document["textures"] = {{{"source", 0}}};
+    gltf.document["images"] = {image};
+    return gltf;
+}
+
+Scene loadGltf(TemporaryFolder& folder, const Gltf& gltf) {
+    folder.write("m.gltf", gltf.text());
+    return loadScene(folder.write("scene.yaml", kStart + "objects: [{shape: {type: mesh, file: m.gltf}}]\n"));
+}
+
+} // namespace
+
+TEST_CASE("a checker has two colours, a size and a space") {
+    TemporaryFolder folder;
+    const Scene all = loadWith(folder, "{type: checker, colors: [0.25, [1, 0.5, 0]], size: 3, space: uv}",
+                               "{type: diffuse, albedo: {texture: t}}");
+    const auto& checker = std::get<Checker>(all.textures.at(0).model);
+    CHECK(checker.colors[0] == glm::dvec3(0.25));
+    CHECK(checker.colors[1] == glm::dvec3(1, 0.5, 0));
+    CHECK(checker.size == 3);
+    CHECK_FALSE(checker.inWorld);
+    CHECK(all.materials.at(0).colorTexture == 0U);
+    CHECK(std::get<Diffuse>(all.materials.at(0).model).albedo == glm::dvec3(1)); // the texture says the rest
+
+    const Scene defaults = loadWith(folder, "{type: checker}", "{type: mirror, reflectance: {texture: t}}");
+    CHECK(std::get<Checker>(defaults.textures.at(0).model).inWorld);
+    CHECK(defaults.materials.at(0).colorTexture == 0U);
+    const Scene unused = loadWith(folder, "{type: checker}", "{type: mirror}");
+    CHECK_FALSE(unused.materials.at(0).colorTexture.has_value());
+}
+
+TEST_CASE("an image is read as linear light, its numbers as they are where asked") {
+    TemporaryFolder folder;
+    writeImage(folder.path() / "i.png", redAndGray(), {});
+    writeImage(folder.path() / "i.exr", redAndGray(), {});
+    const auto grayOf = [&](const std::string& keys) {
+        const Scene scene = loadWith(folder, "{type: image, " + keys + "}", "{type: diffuse, albedo: {texture: t}}");
+        const Image& image = *std::get<ImageTexture>(scene.textures.at(0).model).image;
+        CHECK(image.at(0, 0) == glm::vec3(1, 0, 0));
+        return double{image.at(0, 1).y};
+    };
+    CHECK_THAT(grayOf("file: i.png"), WithinAbs(0.5029, 5e-5));
+    CHECK_THAT(grayOf("file: i.png, encoding: srgb"), WithinAbs(0.5029, 5e-5));
+    CHECK_THAT(grayOf("file: i.png, encoding: linear"), WithinAbs(188 / 255.0, 1e-7));
+    CHECK_THAT(grayOf("file: i.exr"), WithinAbs(0.5029, 1e-7));
+}
+
+TEST_CASE("mistakes in textures are reported where they stand") {
+    const std::string mirror = "materials: {m: {type: mirror, reflectance: {texture: t}}}\n" + kObject;
+    checkAll({
+        {kStart + "textures: {t: {type: $noise}}\n" + mirror, "unknown texture type 'noise'", "known: checker, image"},
+        {kStart + "textures: {t: {type: checker, size: $0}}\n" + mirror, "'size' must be in"},
+        {kStart + "textures: {t: {type: checker, colors: $[0, 1, 0]}}\n" + mirror, "'colors' must be a list of 2"},
+        {kStart + "textures: {t: {type: checker, colors: [0, $2]}}\n" + mirror, "must be in [0, 1]"},
+        {kStart + "textures: {t: {type: checker, space: $here}}\n" + mirror, "unknown space of a checker 'here'"},
+        {kStart + "textures: {t: {type: image, file: $none.png}}\n" + mirror, "no such file"},
+        {kStart + "textures: {t: {type: image, file: none.png, encoding: $gamma}}\n" + mirror, "unknown encoding"},
+        {kStart + "textures: {u: {type: checker}}\nmaterials: {m: {type: mirror, reflectance: {texture: $t}}}\n" +
+             kObject,
+         "unknown texture 't'"},
+        {kStart +
+             "textures: {t: {type: checker}}\nmaterials: {m: {type: mirror, reflectance: {texture: t, $size: 1}}}\n" +
+             kObject,
+         "unknown key 'size'"},
+        {kStart + "textures: {t: {type: checker}}\nmaterials: {m: {type: dielectric, absorption: ${texture: t}}}\n" +
+             kObject,
+         "'absorption' must be"},
+        {kStart + "materials: {m: {type: dielectric, absorption: $-1}}\n" + kObject, "'absorption' must be in"},
+    });
+}
+
+TEST_CASE("a shape without surface coordinates refuses a texture that needs them") {
+    const std::string start = kStart +
+                              "textures: {t: {type: checker, space: uv}}\nmaterials: {m: {type: diffuse, albedo: "
+                              "{texture: t}}, n: {type: mirror}}\nobjects:\n  - ";
+    const std::string what = "the texture 't' needs surface coordinates";
+    checkAll({
+        {start + "${shape: {type: plane, point: [0, 0, 0], normal: [0, 1, 0]}, material: m}\n", what, "checker"},
+        {start + "${shape: {type: sphere, radius: 1}, material: m, transform: [{scale: [1, 2, 1]}]}\n", what},
+        {start + "${shape: {type: mesh, file: mesh.obj}, material: m}\n", what, "",
+         "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+        {start + "{shape: {type: csg, op: union, left: {type: sphere, radius: 1, material: m}, right: ${type: box, "
+                 "min: [0, 0, 0], max: [1, 1, 1], material: m}}}\n",
+         what},
+    });
+}
+
+TEST_CASE("a texture with numbers beyond 1 is refused, and so is what is no picture") {
+    TemporaryFolder folder;
+    Image bright = redAndGray();
+    bright.at(0, 1).y = 1.5F;
+    writeImage(folder.path() / "bright.exr", bright, {});
+    folder.write("text.png", "This is no picture");
+    const auto whatOf = [&](const std::string& file) {
+        const auto error = errorOf([&] { loadWith(folder, "{type: image, file: " + file + "}", "{type: mirror}"); });
+        REQUIRE(error.has_value());
+        CHECK(error->code() == ExitCode::BadInput);
+        CHECK(error->where().file == (folder.path() / file).string());
+        return std::string(error->what());
+    };
+    CHECK_THAT(whatOf("bright.exr"), ContainsSubstring("a pixel of the texture is 1.5"));
+    CHECK_THAT(whatOf("text.png"), ContainsSubstring("no PNG, JPEG or EXR file"));
+}
+
+TEST_CASE("OBJ corners of one place with different texture coordinates become vertices of their own") {
+    // Two triangles of a square; the second has other coordinates at one of the two corners that they share
+    const Mesh mesh = parseObj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+                               "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5\n"
+                               "f 1/1 2/2 3/3\nf 1/5 3/3 4/4\n",
+                               "m.obj");
+    REQUIRE(mesh.positions.size() == 5);
+    REQUIRE(mesh.uvs.size() == 5);
+    CHECK(mesh.normals.empty()); // it stays flat
+    const auto uvAt = [&](std::size_t triangle, int corner) { return mesh.uvs[mesh.triangles[triangle][corner]]; };
+    CHECK(uvAt(0, 0) == glm::vec2(0, 0));
+    CHECK(uvAt(0, 2) == glm::vec2(1, 1));
+    CHECK(uvAt(1, 0) == glm::vec2(0.5, 0)); // v is 0 where it is not written
+    CHECK(mesh.triangles[0].z == mesh.triangles[1].y);
+    CHECK(mesh.positions[mesh.triangles[1].x] == glm::vec3(0));
+}
+
+TEST_CASE("OBJ corners without texture coordinates in a mesh that has some get (0, 0)") {
+    const Mesh mesh = parseObj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 1 1\n"
+                               "f 1/1 2/1 3/1\nf 1 3 4\n",
+                               "m.obj");
+    CHECK(mesh.positions.size() == 6);
+    CHECK(mesh.uvs[mesh.triangles[0].x] == glm::vec2(1, 1));
+    CHECK(mesh.uvs[mesh.triangles[1].x] == glm::vec2(0, 0));
+}
+
+TEST_CASE("PLY texture coordinates are read by each of their names") {
+    for (const auto& [u, v] : {std::pair{"u", "v"}, {"s", "t"}, {"texture_u", "texture_v"}}) {
+        const std::string header = std::string("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                                               "property float y\nproperty float z\nproperty float ") +
+                                   u + "\nproperty float " + v +
+                                   "\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+        const Mesh mesh = parsePly(header + "0 0 0 0 0.5\n1 0 0 1 2\n0 1 0 -1 0\n3 0 1 2\n", "m.ply");
+        CHECK(mesh.uvs == std::vector<glm::vec2>{{0, 0.5}, {1, 2}, {-1, 0}});
+        CHECK(mesh.normals.empty());
+    }
+}
+
+TEST_CASE("a glTF material brings its texture from a file, a data URI or a buffer view") {
+    TemporaryFolder folder;
+    writeImage(folder.path() / "red and gray.png", redAndGray(), {});
+    const std::string png = readFile(folder.path() / "red and gray.png");
+    std::vector<Gltf> files{texturedGltf({{"uri", "red%20and%20gray.png"}}),
+                            texturedGltf({{"uri", "data:image/png;base64," + encodeBase64(png)}}),
+                            texturedGltf({{"mimeType", "image/png"}})};
+    files[2].document["images"][0]["bufferView"] = files[2].addView(png);
+    for (const Gltf& gltf : files) {
+        const Scene scene = loadGltf(folder, gltf);
+        const Material& material = scene.materials.at(scene.objects.at(0).material.value());
+        CHECK(std::get<Diffuse>(material.model).albedo == glm::dvec3(0.5, 1, 1));
+        const Image& image = *std::get<ImageTexture>(scene.textures.at(material.colorTexture.value()).model).image;
+        CHECK(image.at(0, 0) == glm::vec3(1, 0, 0));
+        CHECK(scene.meshes.at(0).uvs.at(0) == glm::vec2(0.25, 0.75));
+    }
+}
+
+TEST_CASE("a glTF texture that cannot be shown is refused, unless the object has a material of its own") {
+    TemporaryFolder folder;
+    Gltf gltf = texturedGltf({{"uri", "none.png"}});
+    const auto messageOf = [&] {
+        const auto error = errorOf([&] { loadGltf(folder, gltf); });
+        REQUIRE(error.has_value());
+        CHECK(error->code() == ExitCode::BadInput);
+        return std::string(error->what());
+    };
+    CHECK_THAT(messageOf(), ContainsSubstring("no such file"));
+    const auto scene =
+        folder.write("own.yaml", kStart + "materials: {m: {type: mirror}}\n"
+                                          "objects: [{shape: {type: mesh, file: m.gltf}, material: m}]\n");
+    CHECK(loadScene(scene).textures.empty());
+    json& info = gltf.document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
+    info["texCoord"] = 1;
+    CHECK_THAT(messageOf(), ContainsSubstring("textures[0]: this texture cannot be shown: it asks for another"));
+    info = {{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"scale", {2, 2}}}}}}};
+    CHECK_THAT(messageOf(), ContainsSubstring("transform of the texture coordinates"));
+    info = {{"index", 0}};
+    gltf.document["images"][0]["uri"] = "../none.png";
+    CHECK_THAT(messageOf(), ContainsSubstring("the image '../none.png' must be a file in the folder"));
+}
