@@ -28,6 +28,7 @@ picture csg csg
 picture csg-cube csg-cube
 picture glass-teapot glass-teapot
 picture instances instances
+picture metals metals
 picture cornell-global cornell-box --set render.gather_rays=0
 picture cornell-gather cornell-box
 picture glass-ball glass-ball

@@ -1,6 +1,7 @@
 // Sampling the lights from both ends: shadow rays from surfaces, photons from the lights.
 #include "reference/lights.h"
 
+#include "reference/materials.h"
 #include "reference/photons.h"
 #include "reference/projection_map.h"
 #include "reference/world.h"
@@ -120,6 +121,7 @@ struct Offer {
     glm::dvec3 way; // to a place on the light [m]; kBeyond long where there is none
     glm::dvec3 shadowEnd;
     glm::dvec3 irradiance{0};
+    double pdfW = 0; // 0: no choice
 };
 
 Offer offerFrom(const glm::dvec3& place, const glm::dvec3& receiver, const glm::dvec3& intensity) {
@@ -151,7 +153,8 @@ Offer offerTo(const glm::dvec3& receiver, const SurroundingLight& light, glm::dv
     const glm::dvec3 way = kBeyond * direction;
     return {.way = way,
             .shadowEnd = receiver + way,
-            .irradiance = pdfW > 0 ? light.map.radiance(direction) / pdfW : glm::dvec3(0)};
+            .irradiance = pdfW > 0 ? light.map.radiance(direction) / pdfW : glm::dvec3(0),
+            .pdfW = pdfW};
 }
 
 // An area sends Le cos(l) per area, and 1 / A is the density of the point.
@@ -160,6 +163,7 @@ Offer offerTo(const glm::dvec3& receiver, const AreaLight& light, glm::dvec2 uv)
     const double cosLight = glm::dot(y.normal, glm::normalize(receiver - y.position));
     Offer offer = offerFrom(y.position, receiver, light.radiance * (std::max(cosLight, 0.0) * areaFacing(light)));
     offer.shadowEnd = y.moved();
+    offer.pdfW = cosLight > 0 ? glm::dot(offer.way, offer.way) / (cosLight * areaFacing(light)) : 0;
     return offer;
 }
 
@@ -205,7 +209,10 @@ std::vector<Light> makeLights(const Scene& scene) {
         if (object.emission != glm::dvec3(0)) {
             AreaLight area = makeAreaLight(scene, object);
             const glm::dvec3 power = pi * area.area * area.radiance;
-            lights.push_back({.shape = std::move(area), .power = power, .share = object.photonShare});
+            lights.push_back({.shape = std::move(area),
+                              .power = power,
+                              .share = object.photonShare,
+                              .object = static_cast<std::uint32_t>(&object - scene.objects.data())});
         }
     }
     setProbabilities(lights);
@@ -220,27 +227,38 @@ std::uint32_t chooseLight(const std::vector<Light>& lights, double x) {
     return light;
 }
 
-std::optional<LightSample> sampleLight(const World& world, const VisiblePoint& x, std::uint32_t pass,
-                                       std::optional<std::uint32_t> light) {
-    const std::uint32_t vertex = x.depth - 1;
-    shared::Sampler sampler{.seed = x.samplerSeed, .index = pass};
+LightArrival sampleArrival(const World& world, const glm::dvec3& receiver, const LightChoice& choice) {
+    const std::uint32_t vertex = choice.depth - 1;
+    shared::Sampler sampler{.seed = choice.samplerSeed, .index = choice.pass};
+    std::uint32_t light = 0;
     double pmf = 1;
-    if (light) {
-        sampler.seed = shared::hashCombine(sampler.seed, *light);
+    if (choice.light) {
+        light = *choice.light;
+        sampler.seed = shared::hashCombine(sampler.seed, light);
     } else {
         light = chooseLight(world.lights, sampleUnitSquare(sampler, shared::cameraLightChoice(vertex)).x);
-        pmf = world.lights[*light].pmf;
+        pmf = world.lights[light].pmf;
     }
-    const Light& chosen = world.lights[*light];
-
     const glm::dvec2 uv = sampleUnitSquare(sampler, shared::cameraLightPoint(vertex));
-    const Offer offer = std::visit([&](const auto& shape) { return offerTo(x.position, shape, uv); }, chosen.shape);
-    const double cosX = glm::dot(x.normal, glm::normalize(offer.way));
-    if (!(cosX > 0 && channelMean(offer.irradiance) > 0)) {
+    const Light& chosen = world.lights[light];
+    const Offer offer = std::visit([&](const auto& shape) { return offerTo(receiver, shape, uv); }, chosen.shape);
+    return {.direction = glm::normalize(offer.way),
+            .shadowEnd = offer.shadowEnd,
+            .irradiance = offer.irradiance / pmf,
+            .pdfW = pmf * offer.pdfW};
+}
+
+std::optional<LightSample> sampleLight(const World& world, const VisiblePoint& x, std::uint32_t pass,
+                                       std::optional<std::uint32_t> light) {
+    const LightArrival arrival = sampleArrival(
+        world, x.position, {.depth = x.depth, .samplerSeed = x.samplerSeed, .pass = pass, .light = light});
+    const double cosX = glm::dot(x.normal, arrival.direction);
+    if (!(cosX > 0 && channelMean(arrival.irradiance) > 0)) {
         return std::nullopt;
     }
+    const double entering = x.coated ? coatTransmission(cosX) : 1;
     return LightSample{
-        .from = x.shadowOrigin, .to = offer.shadowEnd, .contribution = x.f * offer.irradiance * (cosX / pmf)};
+        .from = x.shadowOrigin, .to = arrival.shadowEnd, .contribution = x.f * arrival.irradiance * (cosX * entering)};
 }
 
 glm::dvec3 environmentRadiance(const World& world, const glm::dvec3& direction) {

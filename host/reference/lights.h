@@ -39,6 +39,7 @@ struct Light {
     double share = 1; // weight of the power in the pmf
     double pmf = 0;   // probability that a photon or a shadow ray picks this light
     double cdf = 0;   // sum of the pmf up to and including this light; 1 for the last
+    std::optional<std::uint32_t> object = std::nullopt; // of the scene, that emits; none: no object does
 };
 
 // The environment, points, spots and directional lights in the scene's order, then emitting objects in theirs; pmf in
@@ -56,13 +57,32 @@ struct VisiblePoint {
     glm::dvec3 shadowOrigin;    // the same, moved off the surface to the side the path came from [m]
     glm::dvec3 normal;          // unit, for shading, on that side
     glm::dvec3 geometricNormal; // unit, on that side
-    glm::dvec3 f;               // path throughput times the BRDF albedo / pi [1/sr]
+    glm::dvec3 f;               // path throughput times the BRDF [1/sr]
     std::uint32_t depth = 0;    // segments from the camera to here
     std::uint32_t samplerSeed = 0;
+    bool coated = false; // f is to be multiplied by coatTransmission of the angle of incidence
 };
 
 // Ends of shadow rays to lights beyond the scene are so far away [m].
 inline constexpr double kBeyond = 1e30;
+
+// Which light is sampled, with which numbers: the light named, with a sequence of its own (whitted sums over all of
+// them), or one picked by the pmf (ppm).
+struct LightChoice {
+    std::uint32_t depth = 0; // of the vertex that is lit
+    std::uint32_t samplerSeed = 0;
+    std::uint32_t pass = 0;
+    std::optional<std::uint32_t> light = std::nullopt;
+};
+
+// What the chosen light sends to a receiver from the place that is chosen on it.
+struct LightArrival {
+    glm::dvec3 direction;  // unit, to that place
+    glm::dvec3 shadowEnd;  // the place, moved off the light [m]
+    glm::dvec3 irradiance; // of a surface that faces it, density of the choice divided out [W/m^2]
+    double pdfW = 0;       // that density, the light's pmf in it [1/sr]; 0: no ray can hit the light
+};
+[[nodiscard]] LightArrival sampleArrival(const World& world, const glm::dvec3& receiver, const LightChoice& choice);
 
 // One shadow ray: its two ends, moved off their surfaces, and the radiance it brings if nothing stands between.
 struct LightSample {
@@ -71,8 +91,7 @@ struct LightSample {
     glm::dvec3 contribution; // [W/(m^2 sr)]
 };
 
-// Samples one light at a visible point in a pass: the light named, with a sequence of its own (whitted sums over all of
-// them), or one picked by the pmf (ppm). None: the light cannot reach that side.
+// Samples one light, the one named or one picked, at a visible point in a pass. None: the light cannot reach that side.
 [[nodiscard]] std::optional<LightSample> sampleLight(const World& world, const VisiblePoint& x, std::uint32_t pass,
                                                      std::optional<std::uint32_t> light);
 

@@ -1,8 +1,10 @@
-// One path a sample. At each diffuse surface a shadow ray to one light brings its light; so light that the path then
-// meets by itself counts only where no shadow ray could have brought it: after the camera, mirrors and glass.
+// One path a sample. At each diffuse or rough surface a shadow ray to one light brings its light. So light that the path
+// then meets by itself counts in full only where no shadow ray could have brought it: after the camera, mirrors and
+// glass. After a diffuse surface it does not count, after a rough one both are weighted [Veach95].
 #include "reference/path.h"
 
 #include "reference/film.h"
+#include "reference/materials.h"
 #include "reference/sampling.h"
 #include "reference/shading.h"
 
@@ -27,13 +29,14 @@ glm::dvec3 directLight(const World& world, const VisiblePoint& x, std::uint32_t 
 std::optional<NextRay> bounce(const World& world, const VisiblePoint& x, const CameraPath& path, std::uint32_t pass) {
     const shared::Sampler sampler{.seed = x.samplerSeed, .index = pass};
     const std::uint32_t vertex = x.depth - 1;
-    const glm::dvec3 beta = std::numbers::pi * x.f;
-    const double survival = std::min(1.0, std::max({beta.x, beta.y, beta.z}));
-    if (x.depth >= world.render.maxDepth || sampleUnitSquare(sampler, shared::pathRoulette(vertex)).x >= survival) {
-        return std::nullopt;
-    }
     const glm::dvec3 direction = cosineHemisphere(sampleUnitSquare(sampler, shared::pathBounce(vertex)), x.normal);
     if (glm::dot(direction, x.geometricNormal) <= 0) { // a smoothed normal leans over: this way leads into the surface
+        return std::nullopt;
+    }
+    const double entering = x.coated ? coatTransmission(glm::dot(direction, x.normal)) : 1;
+    const glm::dvec3 beta = (std::numbers::pi * entering) * x.f;
+    const double survival = std::min(1.0, std::max({beta.x, beta.y, beta.z}));
+    if (x.depth >= world.render.maxDepth || sampleUnitSquare(sampler, shared::pathRoulette(vertex)).x >= survival) {
         return std::nullopt;
     }
     return NextRay{.ray = {.origin = x.shadowOrigin, .direction = direction},
@@ -45,17 +48,18 @@ std::optional<NextRay> bounce(const World& world, const VisiblePoint& x, const C
 glm::dvec3 pathRadiance(const World& world, std::uint32_t pixel, std::uint32_t pass) {
     NextRay step{.ray = generateCameraRay(world, pixel, pass), .path = beginCameraPath(world, pixel, pass)};
     glm::dvec3 L(0);
-    bool seesLights = true; // no shadow ray has been sent from where the present segment starts
+    bool seesLights = true; // light that the present segment meets counts, with the weight that its density gives it
     for (std::uint32_t depth = 1; depth <= world.render.maxDepth; ++depth) {
         const std::optional<Hit> hit = traceClosest(world, step.ray);
-        if (!hit) {
-            break;
-        }
-        const Shading shading = shadeSurface(world, step.ray, *hit, step.path, depth, pass);
+        const Shading shading = hit ? shadeSurface(world, step.ray, *hit, step.path, depth, pass)
+                                    : shadeMiss(world, step.ray, step.path);
         if (seesLights) {
             L += shading.emitted;
         }
-        std::optional<NextRay> next = shading.next[0] ? shading.next[0] : shading.next[1];
+        if (shading.rough) {
+            L += directRoughLight(world, *shading.rough, pass);
+        }
+        std::optional<NextRay> next = shading.next[0];
         if (shading.visible) {
             L += directLight(world, *shading.visible, pass);
             next = bounce(world, *shading.visible, step.path, pass);

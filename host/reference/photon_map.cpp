@@ -1,6 +1,8 @@
 // The map is a kd-tree of the nanoflann library over the photons' positions.
 #include "reference/photon_map.h"
 
+#include "reference/materials.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
@@ -138,7 +140,8 @@ glm::dvec3 gatherRadiance(const PhotonMap& map, const VisiblePoint& x, double ra
         const bool sameSurface = glm::dot(photon.normal, x.normal) > 0.5;
         const bool sameSide = glm::dot(photon.direction, x.normal) > 0;
         if (inPlane && sameSurface && sameSide && photon.depth + x.depth <= maxDepth) {
-            power += photon.power;
+            const double cosIn = glm::dot(photon.direction, x.normal);
+            power += photon.power * (x.coated ? coatTransmission(cosIn) : 1);
         }
     }
     return x.f * power / (std::numbers::pi * radius * radius);

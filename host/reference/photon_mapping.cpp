@@ -3,6 +3,7 @@
 #include "reference/photon_mapping.h"
 
 #include "base/parallel.h"
+#include "reference/materials.h"
 #include "reference/photons.h"
 #include "reference/radiance_estimate.h"
 #include "reference/sampling.h"
@@ -70,11 +71,16 @@ glm::dvec3 lookUp(const World& world, const PhotonMaps& maps, const VisiblePoint
         return glm::dot(photon.normal, y.normal) > 0.5 && glm::dot(photon.direction, y.normal) > 0;
     };
     const auto nearest = maps.irradiance->nearest(y.position, 1, world.globalRadius, sameSide);
-    return nearest.empty() ? glm::dvec3(0) : y.f * maps.irradiance->photons()[nearest.front().index].power;
+    if (nearest.empty()) {
+        return glm::dvec3(0);
+    }
+    // The irradiance has no direction: as if it came from everywhere, of which a coat lets in 1 - 1/21, for 1/21 is the
+    // mean of 1 - coatTransmission over the hemisphere, weighted by the cosine
+    return y.f * maps.irradiance->photons()[nearest.front().index].power * (y.coated ? 20.0 / 21 : 1);
 }
 
 // One gathering ray brings f cos / pdf = f pi times the radiance it finds. Light it sees itself is direct light, and
-// light it sees in mirrors or through glass belongs to the caustics: neither counts.
+// light it sees in mirrors, through glass or on rough surfaces belongs to the caustics: none of it counts.
 glm::dvec3 finalGather(const World& world, const PhotonMaps& maps, const VisiblePoint& x, std::uint32_t pass) {
     const std::uint32_t rays = world.render.photonMap.gatherRays;
     glm::dvec3 L(0);
@@ -85,8 +91,9 @@ glm::dvec3 finalGather(const World& world, const PhotonMaps& maps, const Visible
         if (glm::dot(direction, x.geometricNormal) <= 0) {
             continue;
         }
+        const double entering = x.coated ? coatTransmission(glm::dot(direction, x.normal)) : 1;
         followPath(world, {.origin = x.shadowOrigin, .direction = direction},
-                   {.beta = x.f * pi, .samplerSeed = sampler.seed}, 1, index, [&](const Shading& shading) {
+                   {.beta = x.f * (pi * entering), .samplerSeed = sampler.seed}, 1, index, [&](const Shading& shading) {
                        if (shading.visible) {
                            L += lookUp(world, maps, *shading.visible) / static_cast<double>(rays);
                        }
@@ -177,6 +184,9 @@ LightComponents photonMapRadiance(const World& world, const PhotonMaps& maps, st
     followPath(world, generateCameraRay(world, pixel, pass), beginCameraPath(world, pixel, pass), 1, pass,
                [&](const Shading& shading) {
                    light.emitted += shading.emitted;
+                   if (shading.rough) {
+                       light.direct += directRoughLight(world, *shading.rough, pass);
+                   }
                    if (shading.visible) {
                        light += lightAt(world, maps, *shading.visible, pass);
                    }

@@ -47,13 +47,7 @@ template <class Visit>
 void followPath(const World& world, const Ray& ray, const CameraPath& path, std::uint32_t depth, std::uint32_t index,
                 const Visit& visit) {
     const std::optional<Hit> hit = traceClosest(world, ray);
-    if (!hit) {
-        Shading beyond;
-        beyond.emitted = path.beta * environmentRadiance(world, ray.direction);
-        visit(beyond);
-        return;
-    }
-    const Shading shading = shadeSurface(world, ray, *hit, path, depth, index);
+    const Shading shading = hit ? shadeSurface(world, ray, *hit, path, depth, index) : shadeMiss(world, ray, path);
     visit(shading);
     for (const std::optional<NextRay>& next : shading.next) {
         if (next) {

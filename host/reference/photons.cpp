@@ -2,6 +2,7 @@
 #include "reference/photons.h"
 
 #include "base/parallel.h"
+#include "reference/bsdf.h"
 #include "reference/lights.h"
 #include "reference/materials.h"
 #include "reference/medium.h"
@@ -18,9 +19,10 @@ bool isWanted(PhotonKind kind, const PhotonPass& pass) {
     return (pass.kinds & kindBit(kind)) != 0;
 }
 
-// Survives with probability p = the largest channel, and then carries power * reflected / p: right on average.
+// Survives with probability p = the largest channel, at most 1, and then carries power * reflected / p: right on
+// average.
 bool survives(const glm::dvec3& reflected, double x, glm::dvec3& power) {
-    const double p = std::max({reflected.x, reflected.y, reflected.z});
+    const double p = std::min(1.0, std::max({reflected.x, reflected.y, reflected.z}));
     if (x >= p) {
         return false;
     }
@@ -61,8 +63,9 @@ PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, 
         return scatter;
     }
     const MaterialModel model = texturedModel(world, surface);
-    const auto* diffuse = std::get_if<Diffuse>(&model);
-    if (diffuse != nullptr && isWanted(path.kind, pass)) {
+    const std::optional<DiffusePart> diffuse = diffusePart(model);
+    const std::optional<Lobe> lobe = lobeOf(model, surface.front);
+    if (diffuse && isWanted(path.kind, pass)) {
         scatter.stored = Photon{.position = surface.position,
                                 .direction = -ray.direction,
                                 .normal = surface.normal,
@@ -78,30 +81,28 @@ PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, 
     }
     const shared::Sampler sampler = shared::photonSampler(pass.sequence, path.photon);
     const glm::dvec2 xy = sampleUnitSquare(sampler, shared::photonScatter(depth - 1));
-    std::optional<glm::dvec3> direction;
-    if (path.kind == PhotonKind::Direct) { // what a mirror or glass sends on may become a caustic
-        scatter.path.kind = PhotonKind::Caustic;
-    }
-    if (diffuse != nullptr) {
+    const glm::dvec2 uv = sampleUnitSquare(sampler, shared::photonBounce(depth - 1));
+    const double cosIn = incidentCosine(ray.direction, surface.normal);
+    const double probability = lobeProbability(lobe, diffuse, cosIn);
+    std::optional<LobeSample> sample;
+    if (xy.y < probability) {
+        const ShadingNormals normals{surface.normal, surface.geometricNormal};
+        sample = sampleLobe(*lobe, normals, -ray.direction, uv, xy.y, Transport::Flux);
+        if (path.kind == PhotonKind::Direct) { // may become a caustic
+            scatter.path.kind = PhotonKind::Caustic;
+        }
+    } else if (isWanted(PhotonKind::Indirect, pass)) {
+        const glm::dvec3 direction = cosineHemisphere(uv, surface.normal);
+        const glm::dvec3 weight = diffuseReflectance(*diffuse, cosIn, glm::dot(direction, surface.normal));
+        sample = LobeSample{.direction = direction, .weight = weight};
         scatter.path.kind = PhotonKind::Indirect;
-        if (isWanted(PhotonKind::Indirect, pass) && survives(diffuse->albedo, xy.x, scatter.path.power)) {
-            const glm::dvec2 uv = sampleUnitSquare(sampler, shared::photonBounce(depth - 1));
-            direction = cosineHemisphere(uv, surface.normal);
-        }
-    } else if (const auto* mirror = std::get_if<Mirror>(&model)) {
-        if (survives(mirror->reflectance, xy.x, scatter.path.power)) {
-            direction = reflect(ray.direction, surface.normal);
-        }
-    } else if (const auto* glass = std::get_if<Dielectric>(&model)) {
-        const double eta = surface.front ? 1 / glass->ior : glass->ior;
-        const double F = fresnelDielectric(incidentCosine(ray.direction, surface.normal), eta);
-        direction = xy.y < F ? reflect(ray.direction, surface.normal) : refract(ray.direction, surface.normal, eta);
-        if (xy.y >= F) {
+    }
+    if (sample &&
+        survives(sample->weight / (xy.y < probability ? probability : 1 - probability), xy.x, scatter.path.power)) {
+        scatter.next = Ray{.origin = leave(surface, sample->direction), .direction = sample->direction};
+        if (sample->through) {
             scatter.path.medium = surface.front ? surface.material : nullptr;
         }
-    }
-    if (direction) {
-        scatter.next = Ray{.origin = leave(surface, *direction), .direction = *direction};
     }
     return scatter;
 }
@@ -128,10 +129,6 @@ std::vector<Photon> joined(const std::vector<std::vector<Photon>>& blocks) {
         photons.insert(photons.end(), block.begin(), block.end());
     }
     return photons;
-}
-
-bool hasDiffusePart(const Material& material) {
-    return std::holds_alternative<Diffuse>(material.model);
 }
 
 } // namespace hyalite::reference

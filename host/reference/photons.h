@@ -70,7 +70,4 @@ struct PhotonScatter {
 // The lists one after the other.
 [[nodiscard]] std::vector<Photon> joined(const std::vector<std::vector<Photon>>& blocks);
 
-// Photons are stored on surfaces of such a material, and camera paths end there.
-[[nodiscard]] bool hasDiffusePart(const Material& material);
-
 } // namespace hyalite::reference

@@ -23,14 +23,14 @@ glm::dvec3 directLight(const World& world, const VisiblePoint& x, std::uint32_t 
 glm::dvec3 tracePath(const World& world, const PhotonMap& photons, double radius, const Ray& ray,
                      const CameraPath& path, std::uint32_t depth, std::uint32_t pass) {
     const std::optional<Hit> hit = traceClosest(world, ray);
-    if (!hit) {
-        return path.beta * environmentRadiance(world, ray.direction);
-    }
-    const Shading shading = shadeSurface(world, ray, *hit, path, depth, pass);
+    const Shading shading = hit ? shadeSurface(world, ray, *hit, path, depth, pass) : shadeMiss(world, ray, path);
     glm::dvec3 L = shading.emitted;
     if (shading.visible) {
         L += directLight(world, *shading.visible, pass);
         L += gatherRadiance(photons, *shading.visible, radius, world.render.maxDepth);
+    }
+    if (shading.rough) {
+        L += directRoughLight(world, *shading.rough, pass);
     }
     for (const std::optional<NextRay>& next : shading.next) {
         if (next) {

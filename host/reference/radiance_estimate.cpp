@@ -1,5 +1,7 @@
 #include "reference/radiance_estimate.h"
 
+#include "reference/materials.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -20,7 +22,7 @@ constexpr std::size_t kFirstCheck = 8;    // photons
 struct Found {
     double distance = 0; // [m]
     double height = 0;   // off the tangent plane [m]
-    glm::dvec3 power{0}; // [W]
+    glm::dvec3 power{0}; // of which a coat lets in [W]
 };
 
 struct Disc {
@@ -37,9 +39,10 @@ std::vector<Found> findPhotons(const PhotonMap& map, const VisiblePoint& x, cons
     std::vector<Found> found;
     for (const auto& [distance2, index] : map.nearest(x.position, options.nearest, options.radius, counts)) {
         const Photon& photon = map.photons()[index];
+        const double entering = x.coated ? coatTransmission(glm::dot(photon.direction, x.normal)) : 1;
         found.push_back({.distance = std::sqrt(distance2),
                          .height = std::abs(glm::dot(photon.position - x.position, x.geometricNormal)),
-                         .power = photon.power});
+                         .power = photon.power * entering});
     }
     return found;
 }

@@ -2,6 +2,7 @@
 // a boundary, so that L / n^2 is conserved.
 #include "reference/shading.h"
 
+#include "reference/bsdf.h"
 #include "reference/materials.h"
 #include "reference/medium.h"
 #include "reference/sampling.h"
@@ -14,45 +15,27 @@ namespace hyalite::reference {
 
 namespace {
 
-NextRay follow(const Surface& surface, const glm::dvec3& direction, const glm::dvec3& beta, std::uint32_t samplerSeed) {
-    return {.ray = {.origin = leave(surface, direction), .direction = direction},
-            .path = {.beta = beta, .samplerSeed = samplerSeed, .medium = nullptr}};
+NextRay follow(const Surface& surface, const LobeSample& sample, const CameraPath& path, std::uint32_t samplerSeed) {
+    const Material* beyond = surface.front ? surface.material : nullptr; // glass is entered at its front
+    return {.ray = {.origin = leave(surface, sample.direction), .direction = sample.direction},
+            .path = {.beta = path.beta * sample.weight,
+                     .samplerSeed = samplerSeed,
+                     .medium = sample.through ? beyond : path.medium,
+                     .pdfW = sample.pdfW}};
 }
 
-// Both ways of a camera path at glass: [0] reflected with weight F, [1] refracted with (1 - F) (n_i / n_t)^2.
+// Both ways of a camera path at smooth glass: [0] reflected with weight F, [1] refracted with (1 - F) (n_i / n_t)^2.
 std::array<std::optional<NextRay>, 2> splitAtDielectric(const Surface& surface, const glm::dvec3& direction, double eta,
-                                                        double F, const CameraPath& path) {
+                                                        const CameraPath& path) {
+    const double F = fresnelDielectric(incidentCosine(direction, surface.normal), eta);
     std::array<std::optional<NextRay>, 2> next;
-    next[0] =
-        follow(surface, reflect(direction, surface.normal), path.beta * F, shared::hashCombine(path.samplerSeed, 1));
+    next[0] = follow(surface, {.direction = reflect(direction, surface.normal), .weight = glm::dvec3(F)}, path,
+                     shared::hashCombine(path.samplerSeed, 1));
     if (const auto refracted = refract(direction, surface.normal, eta)) {
-        next[1] =
-            follow(surface, *refracted, path.beta * ((1 - F) * eta * eta), shared::hashCombine(path.samplerSeed, 2));
+        next[1] = follow(surface, {.direction = *refracted, .weight = glm::dvec3((1 - F) * eta * eta), .through = true},
+                         path, shared::hashCombine(path.samplerSeed, 2));
     }
     return next;
-}
-
-// One of the two, picked with probability F: the weights F / F and (1 - F) / (1 - F) cancel.
-std::array<std::optional<NextRay>, 2> pickAtDielectric(const Surface& surface, const glm::dvec3& direction, double eta,
-                                                       double F, const CameraPath& path, double x) {
-    std::array<std::optional<NextRay>, 2> next;
-    if (x < F) {
-        next[0] = follow(surface, reflect(direction, surface.normal), path.beta, path.samplerSeed);
-    } else if (const auto refracted = refract(direction, surface.normal, eta)) {
-        next[1] = follow(surface, *refracted, path.beta * (eta * eta), path.samplerSeed);
-    }
-    return next;
-}
-
-// What is reflected stays in the medium; what is refracted enters the dielectric at its front and leaves it at its
-// back.
-void setMedia(std::array<std::optional<NextRay>, 2>& next, const Surface& surface, const Material* medium) {
-    if (next[0]) {
-        next[0]->path.medium = medium;
-    }
-    if (next[1]) {
-        next[1]->path.medium = surface.front ? surface.material : nullptr;
-    }
 }
 
 void dropLightweights(std::array<std::optional<NextRay>, 2>& next, double minWeight) {
@@ -63,6 +46,49 @@ void dropLightweights(std::array<std::optional<NextRay>, 2>& next, double minWei
     }
 }
 
+// Weight of the light that a path finds by chance. Where it has left a rough surface, the lights were sampled there too;
+// the normal is the light's where the ray meets it, `distance` away [m].
+double emissionWeight(const World& world, const Light& light, const CameraPath& path, const Ray& ray, double distance,
+                      const glm::dvec3& normal) {
+    if (path.pdfW == 0) {
+        return 1;
+    }
+    const double pmf = world.render.integrator == Integrator::Whitted ? 1 : light.pmf;
+    return powerHeuristic(path.pdfW, pmf * lightPdf(light, ray.origin, ray.direction, distance, normal));
+}
+
+// Leaves by the lobe; `path` has the probability of that divided out.
+void leaveByLobe(Shading& shading, const Surface& surface, const Ray& ray, const Lobe& lobe, const CameraPath& path,
+                 std::uint32_t depth, std::uint32_t pass, double choice) {
+    glm::dvec2 uv(0);
+    if (lobe.alpha > 0) {
+        uv = sampleUnitSquare({.seed = path.samplerSeed, .index = pass}, shared::cameraBounce(depth - 1));
+        shading.rough = RoughPoint{.surface = surface,
+                                   .lobe = lobe,
+                                   .wo = -ray.direction,
+                                   .beta = path.beta,
+                                   .depth = depth,
+                                   .samplerSeed = path.samplerSeed};
+    }
+    const ShadingNormals normals{surface.normal, surface.geometricNormal};
+    if (const auto sample = sampleLobe(lobe, normals, -ray.direction, uv, choice, Transport::Radiance)) {
+        shading.next[0] = follow(surface, *sample, path, path.samplerSeed);
+    }
+}
+
+VisiblePoint visibleAt(const Surface& surface, const DiffusePart& diffuse, const CameraPath& path, std::uint32_t depth,
+                       double cosOut) {
+    const glm::dvec3 f = diffuseReflectance(diffuse, cosOut, 1) / std::numbers::pi; // straight in, through any coat
+    return {.position = surface.position,
+            .shadowOrigin = leave(surface, surface.geometricNormal),
+            .normal = surface.normal,
+            .geometricNormal = surface.geometricNormal,
+            .f = path.beta * f,
+            .depth = depth,
+            .samplerSeed = path.samplerSeed,
+            .coated = diffuse.coated};
+}
+
 } // namespace
 
 CameraPath beginCameraPath(const World& world, std::uint32_t pixel, std::uint32_t pass) {
@@ -71,47 +97,55 @@ CameraPath beginCameraPath(const World& world, std::uint32_t pixel, std::uint32_
             .medium = nullptr};
 }
 
+Shading shadeMiss(const World& world, const Ray& ray, const CameraPath& path) {
+    Shading shading;
+    const auto light = std::ranges::find_if(
+        world.lights, [](const Light& candidate) { return std::holds_alternative<SurroundingLight>(candidate.shape); });
+    if (light != world.lights.end()) {
+        shading.emitted = path.beta * environmentRadiance(world, ray.direction) *
+                          emissionWeight(world, *light, path, ray, kBeyond, glm::dvec3(0));
+    }
+    return shading;
+}
+
 Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const CameraPath& started, std::uint32_t depth,
                      std::uint32_t pass) {
     const Surface surface = evaluateSurface(world, ray, hit);
     CameraPath path = started;
     path.beta *= transmittance(path.medium, hit.t);
-    Shading shading{.emitted = path.beta * surface.emission, .visible = {}, .next = {}};
+    Shading shading{.emitted = path.beta * surface.emission, .visible = {}, .rough = {}, .next = {}};
+    const auto light = std::ranges::find(world.lights, std::optional(hit.object), &Light::object);
+    if (light != world.lights.end()) {
+        shading.emitted *= emissionWeight(world, *light, path, ray, hit.t, surface.geometricNormal);
+    }
     if (surface.material == nullptr) {
         return shading;
     }
     const MaterialModel model = texturedModel(world, surface);
-    if (const auto* diffuse = std::get_if<Diffuse>(&model)) {
-        shading.visible = VisiblePoint{.position = surface.position,
-                                       .shadowOrigin = leave(surface, surface.geometricNormal),
-                                       .normal = surface.normal,
-                                       .geometricNormal = surface.geometricNormal,
-                                       .f = path.beta * diffuse->albedo / std::numbers::pi,
-                                       .depth = depth,
-                                       .samplerSeed = path.samplerSeed};
-        return shading;
+    const bool whitted = world.render.integrator == Integrator::Whitted;
+    const std::optional<DiffusePart> diffuse = diffusePart(model);
+    const std::optional<Lobe> lobe = lobeOf(model, surface.front);
+    const double cosOut = incidentCosine(ray.direction, surface.normal);
+    const double probability = lobeProbability(lobe, diffuse, cosOut);
+    const shared::Sampler sampler{.seed = path.samplerSeed, .index = pass};
+    const double choice = sampleUnitSquare(sampler, shared::cameraScatter(depth - 1)).x;
+    const bool both = whitted && diffuse && lobe;
+
+    CameraPath onward = path;
+    if (diffuse && (both || choice >= probability)) {
+        onward.beta = path.beta / (both ? 1 : 1 - probability);
+        shading.visible = visibleAt(surface, *diffuse, onward, depth, cosOut);
     }
     // ppm limits the segments of the path, whitted the bounces between them.
-    const bool whitted = world.render.integrator == Integrator::Whitted;
     const std::uint32_t maxSegments = world.render.maxDepth + (whitted ? 1 : 0);
-    if (depth >= maxSegments) {
-        return shading;
-    }
-    if (const auto* mirror = std::get_if<Mirror>(&model)) {
-        shading.next[0] =
-            follow(surface, reflect(ray.direction, surface.normal), path.beta * mirror->reflectance, path.samplerSeed);
-    } else if (const auto* glass = std::get_if<Dielectric>(&model)) {
-        const double eta = surface.front ? 1 / glass->ior : glass->ior; // n_i / n_t along the ray
-        const double F = fresnelDielectric(incidentCosine(ray.direction, surface.normal), eta);
-        if (whitted) {
-            shading.next = splitAtDielectric(surface, ray.direction, eta, F, path);
+    if (lobe && depth < maxSegments && (both || choice < probability)) {
+        onward.beta = path.beta / (both ? 1 : probability);
+        if (whitted && lobe->alpha == 0 && std::holds_alternative<Dielectric>(lobe->model)) {
+            shading.next = splitAtDielectric(surface, ray.direction, lobe->eta, path);
         } else {
-            const shared::Sampler sampler{.seed = path.samplerSeed, .index = pass};
-            const double x = sampleUnitSquare(sampler, shared::cameraScatter(depth - 1)).x;
-            shading.next = pickAtDielectric(surface, ray.direction, eta, F, path, x);
+            leaveByLobe(shading, surface, ray, *lobe, onward, depth, pass, choice);
         }
     }
-    setMedia(shading.next, surface, path.medium);
     if (whitted) {
         dropLightweights(shading.next, world.render.minWeight);
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reference/lights.h"
+#include "reference/rough_light.h"
 #include "reference/world.h"
 
 #include <array>
@@ -15,6 +16,7 @@ struct CameraPath {
     glm::dvec3 beta{1};               // throughput: what one unit of radiance along the present ray adds to the pixel
     std::uint32_t samplerSeed = 0;    // the sampler's index is the pass
     const Material* medium = nullptr; // of the world: the dielectric that it runs in; nullptr: none
+    double pdfW = 0;                  // density of the present direction [1/sr]; 0: by the camera or a smooth surface
 };
 
 // The path that starts at the camera.
@@ -28,11 +30,16 @@ struct NextRay {
 struct Shading {
     glm::dvec3 emitted{0};                      // radiance added to the pixel, throughput included
     std::optional<VisiblePoint> visible;        // on a diffuse surface
-    std::array<std::optional<NextRay>, 2> next; // reflected, refracted
+    std::optional<RoughPoint> rough;            // on a rough one
+    std::array<std::optional<NextRay>, 2> next; // reflected or by a rough lobe, refracted
 };
 
-// `depth` counts the segments from the camera to the hit. At glass, ppm follows one of reflection and refraction
+// Of a path whose ray hits nothing: it sees the environment.
+[[nodiscard]] Shading shadeMiss(const World& world, const Ray& ray, const CameraPath& path);
+
+// `depth` counts the segments from the camera to the hit. At smooth glass, ppm follows one of reflection and refraction
 // (picked with the Fresnel reflectance), whitted both, weighted, unless their throughput is below render.minWeight.
+// Likewise, where a surface has a diffuse part and a lobe: one or both.
 [[nodiscard]] Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const CameraPath& path,
                                    std::uint32_t depth, std::uint32_t pass);
 

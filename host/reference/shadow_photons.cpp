@@ -1,7 +1,9 @@
 #include "reference/shadow_photons.h"
 
 #include "base/parallel.h"
+#include "reference/bsdf.h"
 #include "reference/photons.h"
+#include "reference/texture.h"
 #include "shaders/shared/limits.h"
 
 #include <algorithm>
@@ -19,7 +21,7 @@ void castPhoton(const World& world, Ray ray, std::uint32_t photon, std::uint32_t
             return;
         }
         const Surface surface = evaluateSurface(world, ray, *hit);
-        if (surface.material != nullptr && hasDiffusePart(*surface.material)) {
+        if (surface.material != nullptr && diffusePart(texturedModel(world, surface))) {
             photons.push_back({.position = surface.position,
                                .direction = -ray.direction,
                                .normal = surface.normal,

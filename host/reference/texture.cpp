@@ -49,7 +49,11 @@ void multiplyColor(Diffuse& model, const dvec3& factor) {
 void multiplyColor(Mirror& model, const dvec3& factor) {
     model.reflectance *= factor;
 }
+void multiplyColor(MetallicRoughness& model, const dvec3& factor) {
+    model.baseColor *= factor;
+}
 void multiplyColor(Dielectric& /*has none*/, const dvec3& /*factor*/) {}
+void multiplyColor(Conductor& /*has none*/, const dvec3& /*factor*/) {}
 
 } // namespace
 
@@ -58,10 +62,18 @@ dvec3 evaluateTexture(const TextureModel& texture, const dvec2& uv, const dvec3&
 }
 
 MaterialModel texturedModel(const World& world, const Surface& surface) {
+    const auto valueOf = [&](std::size_t texture) {
+        return evaluateTexture(world.textures.at(texture).model, surface.uv, surface.position);
+    };
     MaterialModel model = surface.material->model;
     if (const auto texture = surface.material->colorTexture) {
-        const dvec3 factor = evaluateTexture(world.textures.at(*texture).model, surface.uv, surface.position);
-        std::visit([&](auto& m) { multiplyColor(m, factor); }, model);
+        std::visit([factor = valueOf(*texture)](auto& m) { multiplyColor(m, factor); }, model);
+    }
+    auto* rough = std::get_if<MetallicRoughness>(&model);
+    if (rough != nullptr && surface.material->roughnessTexture) {
+        const dvec3 factors = valueOf(*surface.material->roughnessTexture);
+        rough->roughness *= factors.g;
+        rough->metallic *= factors.b;
     }
     return model;
 }

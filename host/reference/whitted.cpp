@@ -11,15 +11,19 @@ namespace {
 glm::dvec3 traceTree(const World& world, const Ray& ray, const CameraPath& path, std::uint32_t depth,
                      std::uint32_t pass) {
     const std::optional<Hit> hit = traceClosest(world, ray);
-    if (!hit) {
-        return path.beta * environmentRadiance(world, ray.direction);
-    }
-    const Shading shading = shadeSurface(world, ray, *hit, path, depth, pass);
+    const Shading shading = hit ? shadeSurface(world, ray, *hit, path, depth, pass) : shadeMiss(world, ray, path);
     glm::dvec3 L = shading.emitted;
-    for (std::uint32_t light = 0; shading.visible && light < world.lights.size(); ++light) {
-        const std::optional<LightSample> sample = sampleLight(world, *shading.visible, pass, light);
+    const auto add = [&](const std::optional<LightSample>& sample) {
         if (sample && traceShadow(world, sample->from, sample->to)) {
             L += sample->contribution;
+        }
+    };
+    for (std::uint32_t light = 0; light < world.lights.size(); ++light) {
+        if (shading.visible) {
+            add(sampleLight(world, *shading.visible, pass, light));
+        }
+        if (shading.rough) {
+            add(sampleRoughLight(world, *shading.rough, pass, light));
         }
     }
     for (const std::optional<NextRay>& next : shading.next) {

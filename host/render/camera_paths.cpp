@@ -8,7 +8,8 @@ CameraPaths::CameraPaths(Device& device, const Scene& scene, const DeviceScene& 
       traceClosest_(device.kernel("trace_closest", deviceScene.specialization)),
       shadeSurface_(device.kernel("shade_surface", deviceScene.specialization)),
       compactCameraPaths_(device.kernel("compact_camera_paths")), prefixSum_(device),
-      queue_(device.context, capacity, 1) {}
+      queue_(device.context, capacity, 1), roughLight_(device, deviceScene),
+      roughPoints_(device.context, roughLight_.points(capacity), "rough points") {}
 
 void CameraPaths::generate(std::uint32_t pass) {
     queue_.count = queue_.capacity();
@@ -27,11 +28,11 @@ void CameraPaths::compact(std::uint32_t slots) {
     queue_.count = alive;
 }
 
-std::uint64_t CameraPaths::follow(std::uint32_t pass, const gpu::Array<shared::VisiblePoint>& visiblePoints,
-                                  const gpu::Array<glm::vec3>& emitted) {
+RaysTraced CameraPaths::follow(std::uint32_t pass, const gpu::Array<shared::VisiblePoint>& visiblePoints,
+                               const gpu::Array<glm::vec3>& emitted, const gpu::Array<glm::vec3>* direct) {
     gpu::Commands& commands = device_.commands;
     CameraQueue& queue = queue_;
-    std::uint64_t rays = 0;
+    RaysTraced rays;
     for (std::uint32_t depth = 1; queue.count > 0; ++depth) {
         commands.run(traceClosest_,
                      shared::TraceClosestArguments{queue.rays, queue.hits, queue.count, deviceScene_.rootNode},
@@ -41,9 +42,12 @@ std::uint64_t CameraPaths::follow(std::uint32_t pass, const gpu::Array<shared::V
                                                    deviceScene_.lights, deviceScene_.normals, deviceScene_.instances,
                                                    visiblePoints, emitted, queue.nextRays, queue.nextPaths, queue.alive,
                                                    queue.count, depth, scene_.render.maxDepth, pass,
-                                                   /*split*/ 0, /*minWeight*/ 0},
+                                                   /*split*/ 0, /*minWeight*/ 0, roughPoints_},
                      queue.count);
-        rays += queue.count;
+        rays.camera += queue.count;
+        if (direct != nullptr) {
+            rays.shadow += roughLight_.sample(roughPoints_, *direct, queue.count, shared::kNone, pass);
+        }
         compact(queue.count);
     }
     return rays;

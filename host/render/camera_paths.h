@@ -3,8 +3,14 @@
 
 #include "render/device_scene.h"
 #include "render/path_queue.h"
+#include "render/rough_light.h"
 
 namespace hyalite::render {
+
+struct RaysTraced {
+    std::uint64_t camera = 0;
+    std::uint64_t shadow = 0; // at rough surfaces
+};
 
 class CameraPaths {
 public:
@@ -21,9 +27,10 @@ public:
     void compact(std::uint32_t slots);
 
     // Follows what the queue holds. Per pixel: where its path ends on a diffuse surface, and the emission on the way
-    // [W/(m^2 sr)]; pixels without a path in the queue are left as they are. Returns the number of rays traced.
-    std::uint64_t follow(std::uint32_t pass, const gpu::Array<shared::VisiblePoint>& visiblePoints,
-                         const gpu::Array<glm::vec3>& emitted);
+    // [W/(m^2 sr)]; pixels without a path in the queue are left as they are. To `direct`, if it is not nullptr, is added
+    // what comes straight from the lights to rough surfaces on the way.
+    RaysTraced follow(std::uint32_t pass, const gpu::Array<shared::VisiblePoint>& visiblePoints,
+                      const gpu::Array<glm::vec3>& emitted, const gpu::Array<glm::vec3>* direct);
 
 private:
     Device& device_;
@@ -35,6 +42,8 @@ private:
     gpu::Kernel compactCameraPaths_;
     PrefixSum prefixSum_;
     CameraQueue queue_;
+    RoughLight roughLight_;
+    gpu::Array<shared::RoughPoint> roughPoints_; // none in scenes without rough lobes
 };
 
 } // namespace hyalite::render

@@ -2,6 +2,7 @@
 
 #include "geometry/specular_targets.h"
 #include "render/light_table.h"
+#include "render/material_table.h"
 #include "render/mesh_tables.h"
 #include "render/object_table.h"
 #include "render/texture_table.h"
@@ -18,26 +19,6 @@ using glm::vec3;
 
 // Up to so many objects are tried one by one: eight measure 2.4 times as fast as their hierarchy.
 constexpr std::size_t kFewObjects = 12;
-
-shared::MaterialRecord materialRecord(const Material& material) {
-    shared::MaterialRecord r{};
-    r.ior = 1;
-    r.colorTexture = static_cast<std::uint32_t>(material.colorTexture.value_or(shared::kNone));
-    r.roughnessTexture = static_cast<std::uint32_t>(material.roughnessTexture.value_or(shared::kNone));
-    if (const auto* diffuse = std::get_if<Diffuse>(&material.model)) {
-        r.type = shared::kMaterialDiffuse;
-        r.color = diffuse->albedo;
-    } else if (const auto* mirror = std::get_if<Mirror>(&material.model)) {
-        r.type = shared::kMaterialMirror;
-        r.color = mirror->reflectance;
-    } else {
-        r.type = shared::kMaterialDielectric;
-        r.color = vec3(1);
-        r.ior = static_cast<float>(std::get<Dielectric>(material.model).ior);
-        r.extinction = std::get<Dielectric>(material.model).absorption;
-    }
-    return r;
-}
 
 } // namespace
 
@@ -80,10 +61,7 @@ DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, c
     MeshTables meshes = buildMeshTables(scene.meshes);
     LightTable lights = buildLightTable(scene);
     ObjectTable objects = buildObjectTable(scene, meshes.roots, lights.firstEmitter, meshes.nodes);
-    std::vector<shared::MaterialRecord> materials;
-    for (const Material& material : scene.materials) {
-        materials.push_back(materialRecord(material));
-    }
+    const MaterialTable materials = buildMaterialTable(scene.materials);
 
     std::vector<shared::TargetRecord> targets;
     for (const BoundingSphere& sphere : specularTargets(scene)) {
@@ -97,7 +75,8 @@ DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, c
     device.camera = cameraRecord(scene.camera);
     device.rootNode = objects.rootNode;
     device.lightCount = static_cast<std::uint32_t>(lights.lights.size());
-    device.materials = {context, std::span<const shared::MaterialRecord>(materials), "materials"};
+    device.materials = {context, std::span<const shared::MaterialRecord>(materials.records), "materials"};
+    device.hasRoughLobes = materials.hasRoughLobes();
     device.lightTriangles = {context, std::span<const shared::LightTriangle>(lights.triangles), "emitting triangles"};
     device.lightTexels = {context, std::span<const vec3>(lights.texels), "environment"};
     device.lightCdfs = {context, std::span<const float>(lights.cdfs), "parts of lights"};
@@ -116,6 +95,7 @@ DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, c
     device.specialization["kShapeTypes"] = objects.shapeTypes;
     device.specialization["kFewObjects"] = areFew ? static_cast<std::uint32_t>(scene.objects.size()) : 0;
     device.specialization["kEndlessObjects"] = objects.endlessCount;
+    device.specialization["kMaterialTypes"] = materials.types;
     device.objectOf = std::move(objects.objectOf);
     device.leafOf = std::move(objects.leafOf);
     device.triangleOf = std::move(meshes.fileOrder);

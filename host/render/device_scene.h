@@ -27,6 +27,7 @@ struct DeviceScene {
     std::uint32_t lightCount = 0;
     gpu::Array<shared::TargetRecord> targets; // what caustic photons are aimed at
     std::uint32_t targetCount = 0;
+    bool hasRoughLobes = false;            // whether camera paths leave rough points
     std::vector<std::uint32_t> objectOf;   // see ObjectTable
     std::vector<std::uint32_t> leafOf;     // see ObjectTable
     std::vector<std::uint32_t> triangleOf; // see MeshTables::fileOrder

@@ -59,9 +59,13 @@ void PhotonMapping::renderPass(std::uint32_t pass) {
     if (!prepared_) {
         prepareMaps();
     }
-    // Where each pixel's path first meets a diffuse surface, through mirrors and glass, and the emission on the way
+    // Where each pixel's path first meets a diffuse surface, through mirrors and glass, and the emission on the way; at
+    // rough metal and glass also the light that comes there straight from a lamp
+    device_.commands.clear(direct_.buffer());
     cameraPaths_.generate(pass);
-    counts_.cameraRays += cameraPaths_.follow(pass, visiblePoints_, emitted_);
+    const RaysTraced rays = cameraPaths_.follow(pass, visiblePoints_, emitted_, &direct_);
+    counts_.cameraRays += rays.camera;
+    counts_.shadowRays += rays.shadow;
     switch (scene_.render.photonMap.view) {
     case PhotonView::GlobalMap:
         maps_.estimateGlobal(visiblePoints_, kAllLight, indirect_, radii_);
@@ -131,7 +135,7 @@ void PhotonMapping::noteMaps() {
 }
 
 void PhotonMapping::renderLight(std::uint32_t pass) {
-    // Light straight from the lamps, lamp by lamp, with a shadow ray where the photons do not tell
+    // Light straight from the lamps to diffuse surfaces, lamp by lamp, with a shadow ray where the photons do not tell
     sampleDirectLight(pass);
     // Light by way of mirrors and glass alone
     maps_.estimateCaustics(visiblePoints_, caustic_, radii_);
@@ -151,7 +155,6 @@ void PhotonMapping::sampleDirectLight(std::uint32_t pass) {
     gpu::Commands& commands = device_.commands;
     const std::uint32_t pixels = film_.pixelCount();
     const bool classified = scene_.render.photonMap.shadowPhotons > 0;
-    commands.clear(direct_.buffer());
     if (classified) {
         maps_.classify(visiblePoints_, lit_, shadowed_);
     }
@@ -191,7 +194,8 @@ void PhotonMapping::gatherIndirectLight(std::uint32_t pass) {
                      pixels);
         commands.clear(gatherPoints_.buffer());
         cameraPaths_.compact(pixels);
-        counts_.cameraRays += cameraPaths_.follow(index, gatherPoints_, unused_);
+        // Light straight from lamps, wherever it falls on the way, is caustic or direct light
+        counts_.cameraRays += cameraPaths_.follow(index, gatherPoints_, unused_, nullptr).camera;
         if (settings.precomputedIrradiance) {
             maps_.addIrradiance(gatherPoints_, indirect_, scale);
         } else {

@@ -27,10 +27,14 @@ Ppm::Ppm(Device& device, const Scene& scene, const DeviceScene& deviceScene, con
       gathered_(device.context, film.pixelCount(), "gathered light") {}
 
 void Ppm::renderPass(std::uint32_t pass) {
-    // Where each pixel's path first meets a diffuse surface, through mirrors and glass, and the emission on the way
+    // Where each pixel's path first meets a diffuse surface, through mirrors and glass, and the emission on the way; at
+    // rough metal and glass also the light that comes there straight from a lamp
+    device_.commands.clear(direct_.buffer());
     cameraPaths_.generate(pass);
-    counts_.cameraRays += cameraPaths_.follow(pass, visiblePoints_, emitted_);
-    // Light that comes there straight from a lamp
+    const RaysTraced rays = cameraPaths_.follow(pass, visiblePoints_, emitted_, &direct_);
+    counts_.cameraRays += rays.camera;
+    counts_.shadowRays += rays.shadow;
+    // Light that comes to the diffuse surface straight from a lamp
     sampleDirectLight(pass);
     // Light that comes by way of other surfaces, as flux landing all over the scene …
     const std::uint32_t slots =
@@ -48,7 +52,6 @@ void Ppm::renderPass(std::uint32_t pass) {
 }
 
 void Ppm::sampleDirectLight(std::uint32_t pass) {
-    device_.commands.clear(direct_.buffer());
     lightSampler_.sample(visiblePoints_, shared::kNone, pass, scene_.render.maxDepth);
     lightSampler_.trace(direct_);
     counts_.shadowRays += film_.pixelCount();

@@ -11,10 +11,11 @@ constexpr std::uint32_t kChildren = 1 + kSplit;
 
 } // namespace
 
-Whitted::Level::Level(const gpu::Context& context, std::uint32_t capacity)
+Whitted::Level::Level(const gpu::Context& context, std::uint32_t capacity, std::uint32_t roughPointCount)
     : queue(context, capacity, kChildren), visiblePoints(context, capacity, "visible points"),
-      shadowRays(context, capacity, "shadow rays"), contributions(context, capacity, "light contributions"),
-      emitted(context, capacity, "emitted light"), direct(context, capacity, "direct light") {}
+      roughPoints(context, roughPointCount, "rough points"), shadowRays(context, capacity, "shadow rays"),
+      contributions(context, capacity, "light contributions"), emitted(context, capacity, "emitted light"),
+      direct(context, capacity, "direct light") {}
 
 Whitted::Whitted(Device& device, const Scene& scene, const DeviceScene& deviceScene, const Film& film)
     : device_(device), scene_(scene), deviceScene_(deviceScene), film_(film),
@@ -23,7 +24,8 @@ Whitted::Whitted(Device& device, const Scene& scene, const DeviceScene& deviceSc
       shadeSurface_(device.kernel("shade_surface", deviceScene.specialization)),
       compactCameraPaths_(device.kernel("compact_camera_paths")), sampleLights_(device.kernel("sample_lights")),
       traceShadow_(device.kernel("trace_shadow", deviceScene.specialization)), sumPaths_(device.kernel("sum_paths")),
-      prefixSum_(device), level_(device.context, film.pixelCount()) {}
+      prefixSum_(device), roughLight_(device, deviceScene),
+      level_(device.context, film.pixelCount(), roughLight_.points(film.pixelCount())) {}
 
 void Whitted::renderPass(std::uint32_t pass) {
     CameraQueue& queue = level_.queue;
@@ -36,7 +38,7 @@ void Whitted::renderPass(std::uint32_t pass) {
     for (std::uint32_t depth = 1; level_.queue.count > 0; ++depth) {
         // Hits, their emission, and the reflected and refracted rays that go on from them
         shade(pass, depth);
-        // Light straight from every lamp onto diffuse surfaces
+        // Light straight from every lamp onto diffuse and rough surfaces
         sampleEveryLight(pass);
         // Both belong to the pixel; the paths of a pixel stand together, so that their sum has one order
         device_.commands.run(sumPaths_,
@@ -54,13 +56,13 @@ void Whitted::shade(std::uint32_t pass, std::uint32_t depth) {
                          queue.count);
     // The camera ray itself is neither reflection nor refraction
     const std::uint32_t maxDepth = scene_.render.maxDepth + 1;
-    device_.commands.run(
-        shadeSurface_,
-        shared::ShadeSurfaceArguments{queue.rays, queue.hits, queue.paths, deviceScene_.materials, deviceScene_.lights,
-                                      deviceScene_.normals, deviceScene_.instances, level_.visiblePoints,
-                                      level_.emitted, queue.nextRays, queue.nextPaths, queue.alive, queue.count, depth,
-                                      maxDepth, pass, kSplit, static_cast<float>(scene_.render.minWeight)},
-        queue.count);
+    device_.commands.run(shadeSurface_,
+                         shared::ShadeSurfaceArguments{
+                             queue.rays, queue.hits, queue.paths, deviceScene_.materials, deviceScene_.lights,
+                             deviceScene_.normals, deviceScene_.instances, level_.visiblePoints, level_.emitted,
+                             queue.nextRays, queue.nextPaths, queue.alive, queue.count, depth, maxDepth, pass, kSplit,
+                             static_cast<float>(scene_.render.minWeight), level_.roughPoints},
+                         queue.count);
     counts_.cameraRays += queue.count;
 }
 
@@ -79,6 +81,7 @@ void Whitted::sampleEveryLight(std::uint32_t pass) {
                                                           deviceScene_.rootNode},
                              count);
         counts_.shadowRays += count;
+        counts_.shadowRays += roughLight_.sample(level_.roughPoints, level_.direct, count, light, pass);
     }
 }
 
@@ -95,7 +98,8 @@ void Whitted::descend() {
     if (alive <= level_.queue.capacity()) {
         compactInto(level_.queue);
     } else { // a level of many splits: more room, kept for the passes to come
-        Level larger(device_.context, alive + alive / 4);
+        const std::uint32_t capacity = alive + alive / 4;
+        Level larger(device_.context, capacity, roughLight_.points(capacity));
         compactInto(larger.queue);
         device_.commands.finish();
         level_ = std::move(larger);

@@ -5,6 +5,7 @@
 #include "render/film.h"
 #include "render/integrator.h"
 #include "render/path_queue.h"
+#include "render/rough_light.h"
 
 namespace hyalite::render {
 
@@ -23,12 +24,13 @@ private:
     struct Level {
         CameraQueue queue;
         gpu::Array<shared::VisiblePoint> visiblePoints;
+        gpu::Array<shared::RoughPoint> roughPoints;
         gpu::Array<shared::Ray> shadowRays;
         gpu::Array<glm::vec3> contributions;
         gpu::Array<glm::vec3> emitted;
         gpu::Array<glm::vec3> direct;
 
-        Level(const gpu::Context& context, std::uint32_t capacity);
+        Level(const gpu::Context& context, std::uint32_t capacity, std::uint32_t roughPointCount);
     };
 
     void shade(std::uint32_t pass, std::uint32_t depth);
@@ -48,6 +50,7 @@ private:
     gpu::Kernel traceShadow_;
     gpu::Kernel sumPaths_;
     PrefixSum prefixSum_;
+    RoughLight roughLight_;
     Level level_;
 };
 

@@ -237,11 +237,9 @@ Mesh mergeParts(const ImportedFile& file) {
     return mesh;
 }
 
-MaterialModel nearestModel(const ImportedMaterial& material) {
-    if (material.metallic < 0.5) {
-        return Diffuse{material.baseColor};
-    }
-    return Mirror{material.baseColor};
+MaterialModel sceneModel(const ImportedMaterial& material) {
+    return MetallicRoughness{
+        .baseColor = material.baseColor, .metallic = material.metallic, .roughness = material.roughness};
 }
 
 } // namespace hyalite

@@ -59,9 +59,7 @@ struct ImportedFile {
 // All parts as one mesh in the file's space, as CSG wants it; flat parts stay flat. No texture coordinates.
 [[nodiscard]] Mesh mergeParts(const ImportedFile& file);
 
-// The material among those that can be rendered which comes nearest: a mirror of the base colour where the surface is
-// metallic by half or more, else diffuse. Roughness is lost, so metals look polished: an approximation, until there
-// are glossy materials.
-[[nodiscard]] MaterialModel nearestModel(const ImportedMaterial& material);
+// The same material as a scene has it.
+[[nodiscard]] MaterialModel sceneModel(const ImportedMaterial& material);
 
 } // namespace hyalite

@@ -53,7 +53,7 @@ std::size_t sceneMaterial(const Value& file, std::size_t material, const Surroun
     if (isNew) {
         const ImportedMaterial& imported = parts.materials[material];
         Scene& scene = around.scene;
-        scene.materials.push_back({file.text() + " materials[" + std::to_string(material) + ']', nearestModel(imported),
+        scene.materials.push_back({file.text() + " materials[" + std::to_string(material) + ']', sceneModel(imported),
                                    sceneTexture(file, imported.baseColorTexture, Encoding::Srgb, scene),
                                    sceneTexture(file, imported.metallicRoughnessTexture, Encoding::Linear, scene)});
     }

@@ -74,9 +74,20 @@ struct Mirror {
 };
 struct Dielectric {
     double ior = 1.5;         // inside over outside, > 0
+    double roughness = 0;     // [0, 1]
     glm::dvec3 absorption{0}; // coefficient inside [1/m]
 };
-using MaterialModel = std::variant<Diffuse, Mirror, Dielectric>;
+struct Conductor { // metal of the complex index eta + i k
+    glm::dvec3 eta{1};
+    glm::dvec3 k{0};
+    double roughness = 0; // [0, 1]
+};
+struct MetallicRoughness {     // glTF's model: a metal, a diffuse base under a coat, or a mixture of the two
+    glm::dvec3 baseColor{0.8}; // [0, 1]: colour of the diffuse base, and what the metal reflects at normal incidence
+    double metallic = 0;       // [0, 1]
+    double roughness = 0.5;    // [0, 1]
+};
+using MaterialModel = std::variant<Diffuse, Mirror, Dielectric, Conductor, MetallicRoughness>;
 
 // Two colours in cubes of the world, or in squares of the surface's coordinates (u, v), by turns.
 struct Checker {

@@ -19,5 +19,5 @@ void main() {
     }
     vec3 normal = normalize(unpackDirection(photon.surface, kNormalBits));
     args.visiblePoints.at[i] =
-        VisiblePoint(photon.position, 1u, normal, 0u, vec3(1.0), i, 0u, packUnitVector(normal, 16u));
+        VisiblePoint(photon.position, 1u, normal, 0u, vec3(1.0), i, 0u, packUnitVector(normal, 16u), 0.0);
 }

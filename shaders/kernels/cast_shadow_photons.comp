@@ -3,8 +3,10 @@
 // Follows photons straight from the light through everything in their way. On diffuse surfaces they leave a direct photon
 // first and shadow photons after that, without power: what the light reaches, and what it does not [JensenChristensen95].
 #include "shared/kernel_arguments.h"
+#include "lib/bsdf.glsl"
 #include "lib/photon.glsl"
 #include "lib/surface.glsl"
+#include "lib/texture.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { CastShadowPhotonsArguments args; };
@@ -23,7 +25,7 @@ void main() {
     Ray ray = args.rays.at[i];
     PhotonPath path = args.paths.at[i];
     Surface s = surfaceAt(ray, hit, args.normals, args.instances);
-    if (s.material != kNone && args.materials.at[s.material].type == kMaterialDiffuse) {
+    if (s.material != kNone && hasDiffusePart(texturedMaterial(args.materials.at[s.material], s))) {
         args.photons.at[args.firstPhoton + i] =
             Photon(s.position, packUnitVector(-ray.direction, kDirectionBits), vec3(0.0),
                    packSurface(s.normal, path.kind, path.light));

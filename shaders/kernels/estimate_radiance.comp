@@ -4,6 +4,7 @@
 // weighted by a filter, over the integral of the filter. The disc reaches to the k-th photon, which itself is left out:
 // k - 1 photons in a disc that the k-th ends estimate the density without bias; docs/photon-mapping.md has the proof.
 #include "shared/kernel_arguments.h"
+#include "lib/diffuse.glsl"
 #include "lib/nearest.glsl"
 #include "lib/thread.glsl"
 
@@ -28,10 +29,19 @@ vec4 photonTexel(uint found, uint texel) {
     return texelFetch(photonTable, int(2u * (args.map.base + heapPhoton[found]) + texel));
 }
 
-// Flux of one of the photons found, or 0 if it is too far off the tangent plane to lie on the same surface.
-vec3 fluxInDisc(uint found, vec3 position, vec3 normal, float radius) {
-    vec3 way = photonTexel(found, 0u).xyz - position;
-    return abs(dot(way, normal)) > kPlaneDistance * radius ? vec3(0.0) : photonTexel(found, 1u).xyz;
+// Flux of one of the photons found that the coat lets in, or 0 if it is too far off the tangent plane, with this normal,
+// to lie on the same surface.
+vec3 fluxInDisc(uint found, VisiblePoint x, vec3 normal, float radius) {
+    vec4 place = photonTexel(found, 0u);
+    if (abs(dot(place.xyz - x.position, normal)) > kPlaneDistance * radius) {
+        return vec3(0.0);
+    }
+    vec3 power = photonTexel(found, 1u).xyz;
+    if (x.coat == 0.0) {
+        return power;
+    }
+    vec3 direction = normalize(unpackDirection(floatBitsToUint(place.w), kDirectionBits));
+    return power * diffuseFactor(x.coat, dot(direction, x.normal));
 }
 
 // 1 at the centre.
@@ -62,7 +72,7 @@ float meanWeight() {
 // Differential checking, after [Jensen95]: lets a disc grow through the photons by a quarter of their number at a time.
 // Where the density, the sum of the channels, has risen or fallen without a turn by more than maxChange of what it was
 // when it began to, an edge has been met, and the disc from which on it rose or fell is the answer.
-Disc stopAtEdge(Disc whole, vec3 position, vec3 normal) {
+Disc stopAtEdge(Disc whole, VisiblePoint x, vec3 normal) {
     Disc start = whole;    // from which on the density rises or falls
     Disc previous = whole; // the one before
     float startDensity = 0.0, previousDensity = 0.0, flux = 0.0;
@@ -89,7 +99,7 @@ Disc stopAtEdge(Disc whole, vec3 position, vec3 normal) {
             previousDensity = density;
             next = i + (i + 3u) / 4u;
         }
-        vec3 power = fluxInDisc(i, position, normal, whole.radius);
+        vec3 power = fluxInDisc(i, x, normal, whole.radius);
         flux += power.x + power.y + power.z;
     }
     return whole;
@@ -117,12 +127,12 @@ void main() {
     }
     vec3 normal = normalize(unpackDirection(x.geometricNormal, 16u));
     if (args.maxChange > 0.0) {
-        disc = stopAtEdge(disc, x.position, normal);
+        disc = stopAtEdge(disc, x, normal);
     }
     float radius2 = disc.radius * disc.radius;
     vec3 flux = vec3(0.0);
     for (uint j = 0u; j < disc.count; ++j) {
-        flux += weight(heapDistance2[j], radius2) * fluxInDisc(j, x.position, normal, disc.radius);
+        flux += weight(heapDistance2[j], radius2) * fluxInDisc(j, x, normal, disc.radius);
     }
     args.gathered.at[i] = x.f * flux / (meanWeight() * kPi * radius2);
     args.radii.at[i] = disc.radius;

@@ -3,13 +3,14 @@
 // Radiance estimate at every visible point: the flux of the photons in a disc about it, over the disc's area
 // [Jensen01, ch. 7], here with a fixed radius.
 #include "shared/kernel_arguments.h"
+#include "lib/diffuse.glsl"
 #include "lib/grid.glsl"
 #include "lib/photon.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { GatherRadianceArguments args; };
 
-// Flux of the photon if it counts for x, else 0.
+// Flux of the photon that the coat lets in, if it counts for x, else 0.
 vec3 photonFlux(VisiblePoint x, vec3 normal, uint photon) {
     vec4 place = texelFetch(photonTable, int(2u * photon));
     vec3 offset = place.xyz - x.position;
@@ -18,9 +19,14 @@ vec3 photonFlux(VisiblePoint x, vec3 normal, uint photon) {
     }
     vec4 rest = texelFetch(photonTable, int(2u * photon + 1u));
     uint surface = floatBitsToUint(rest.w);
-    bool counts = onSameSide(x.normal, floatBitsToUint(place.w), surface) &&
-                  photonLength(surface) + x.depth <= args.maxDepth;
-    return counts ? rest.xyz : vec3(0.0);
+    uint direction = floatBitsToUint(place.w);
+    if (!onSameSide(x.normal, direction, surface) || photonLength(surface) + x.depth > args.maxDepth) {
+        return vec3(0.0);
+    }
+    if (x.coat == 0.0) {
+        return rest.xyz;
+    }
+    return rest.xyz * diffuseFactor(x.coat, dot(normalize(unpackDirection(direction, kDirectionBits)), x.normal));
 }
 
 void main() {

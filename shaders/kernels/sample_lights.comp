@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Picks a direction to a light for each visible point, and says which shadow ray decides whether its light arrives.
 #include "shared/kernel_arguments.h"
+#include "lib/diffuse.glsl"
 #include "lib/light.glsl"
 #include "lib/sampling.glsl"
 #include "lib/thread.glsl"
@@ -26,7 +27,9 @@ void main() {
     LightRecord light = args.lights.at[index];
 
     LightSample toLight = sampleLight(light, x.position, sampleUnit(s, cameraLightPoint(vertex)));
-    vec3 contribution = x.f * toLight.irradiance * dot(x.normal, toLight.direction) / (one ? light.pmf : 1.0);
+    float cosine = dot(x.normal, toLight.direction);
+    vec3 f = x.f * diffuseFactor(x.coat, cosine);
+    vec3 contribution = f * toLight.irradiance * cosine / (one ? light.pmf : 1.0);
     if (maxComponent(contribution) > 0.0) { // also false when the light is behind the surface or touches it
         args.shadowRays.at[i] = Ray(x.position, toLight.distance, toLight.direction, x.from);
         args.contributions.at[i] = contribution;

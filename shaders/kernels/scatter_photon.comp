@@ -4,7 +4,7 @@
 // reflection and absorption [Jensen01, ch. 5]. Nothing follows a photon that has used all but the last segment of the
 // longest path: that one belongs to the camera.
 #include "shared/kernel_arguments.h"
-#include "lib/dielectric.glsl"
+#include "lib/bsdf.glsl"
 #include "lib/medium.glsl"
 #include "lib/photon.glsl"
 #include "lib/sampling.glsl"
@@ -26,45 +26,45 @@ void store(uint slot, Surface s, vec3 direction, PhotonPath path) {
                                                path.kind == kPhotonDirect ? path.light : args.depth));
 }
 
-void follow(uint i, Surface s, vec3 direction, bool through, PhotonPath path, vec3 power, uint kind) {
-    args.nextRays.at[i] = leaveSurface(s, direction, through);
+void follow(uint i, Surface s, BsdfSample next, PhotonPath path, vec3 power, uint kind) {
+    args.nextRays.at[i] = leaveSurface(s, next.direction, next.through);
     path.power = power;
     path.kind = kind;
-    path.medium = through ? (s.front ? s.material : kNone) : path.medium;
+    path.medium = next.through ? (s.front ? s.material : kNone) : path.medium;
     args.nextPaths.at[i] = path;
     args.alive.at[i] = 1u;
 }
 
-// Leaves the surface if roulette and the longest path let it; `remaining`: flux that is reflected on average.
-// Returns the flux that went on.
-vec3 scatterDiffuse(uint i, Surface s, MaterialRecord material, PhotonPath path, Sampler numbers, float roulette) {
-    float survival = maxComponent(material.color);
-    if (roulette >= survival) {
-        return vec3(0.0);
-    }
-    vec3 power = path.power * material.color / survival;
+// Leaves the surface by its lobe or its diffuse part if roulette lets it. Returns the flux that went on.
+vec3 scatter(uint i, Surface s, MaterialRecord material, Lobe lobe, vec3 wo, PhotonPath path) {
+    Sampler numbers = photonSampler(args.sequence, path.photon);
+    vec2 roulette = sampleUnit(numbers, photonScatter(args.depth - 1u));
     vec2 u = sampleUnit(numbers, photonBounce(args.depth - 1u));
-    follow(i, s, cosineHemisphere(u, s.normal), false, path, power, kPhotonIndirect);
-    return power;
-}
-
-vec3 scatterSpecular(uint i, Surface s, MaterialRecord material, vec3 direction, PhotonPath path, vec2 roulette) {
-    // Before its first diffuse surface, what a mirror or glass sends on may become a caustic
-    uint kind = path.kind == kPhotonDirect ? kPhotonCaustic : path.kind;
-    if (material.type == kMaterialDielectric) {
-        float cosIncident = clamp(-dot(direction, s.normal), 0.0, 1.0); // a smoothed normal may be turned away
-        Interface face = meetInterface(cosIncident, s.front ? 1.0 / material.ior : material.ior);
-        bool reflects = roulette.y < face.reflectance;
-        follow(i, s, reflects ? reflected(direction, s.normal) : refracted(direction, s.normal, cosIncident, face),
-               !reflects, path, path.power, kind);
-        return path.power;
+    DiffusePart diffuse = diffusePart(material);
+    float cosIn = clamp(dot(wo, s.normal), 0.0, 1.0);
+    float probability = lobeProbability(material, lobe, diffuse, cosIn);
+    BsdfSample next;
+    uint kind;
+    if (roulette.y < probability) {
+        next = sampleLobe(lobe, s.normal, s.geometricNormal, wo, u, roulette.y, false);
+        next.weight /= probability;
+        kind = path.kind == kPhotonDirect ? kPhotonCaustic : path.kind; // until it meets a diffuse surface
+    } else {
+        if (!isWanted(kPhotonIndirect)) {
+            return vec3(0.0);
+        }
+        next.direction = cosineHemisphere(u, s.normal);
+        next.weight = diffuse.share * (diffuseFactor(diffuse.coat, cosIn) *
+                                       diffuseFactor(diffuse.coat, dot(next.direction, s.normal)) / (1.0 - probability));
+        next.through = false;
+        kind = kPhotonIndirect;
     }
-    float survival = maxComponent(material.color);
+    float survival = min(1.0, maxComponent(next.weight));
     if (roulette.x >= survival) {
         return vec3(0.0);
     }
-    vec3 power = path.power * material.color / survival;
-    follow(i, s, reflected(direction, s.normal), false, path, power, kind);
+    vec3 power = path.power * next.weight / survival;
+    follow(i, s, next, path, power, kind);
     return power;
 }
 
@@ -99,7 +99,8 @@ void main() {
         return;
     }
     MaterialRecord material = texturedMaterial(args.materials.at[s.material], s);
-    bool diffuse = material.type == kMaterialDiffuse;
+    bool diffuse = hasDiffusePart(material);
+    Lobe lobe = lobeOf(material, s.front);
     if (diffuse && isWanted(path.kind)) {
         store(args.firstPhoton + i, s, ray.direction, path);
     }
@@ -107,12 +108,10 @@ void main() {
     vec3 onward = vec3(0.0);
     vec3 cutOff = vec3(0.0);
     if (args.depth + 1u >= args.maxDepth) {
-        cutOff = path.power * material.color;
-    } else if (!diffuse || isWanted(kPhotonIndirect)) {
-        Sampler numbers = photonSampler(args.sequence, path.photon);
-        vec2 roulette = sampleUnit(numbers, photonScatter(args.depth - 1u));
-        onward = diffuse ? scatterDiffuse(i, s, material, path, numbers, roulette.x)
-                         : scatterSpecular(i, s, material, ray.direction, path, roulette);
+        float cosIn = clamp(-dot(ray.direction, s.normal), 0.0, 1.0);
+        cutOff = path.power * leavingShare(material, lobe, diffusePart(material), cosIn);
+    } else if (hasLobe(material) || isWanted(kPhotonIndirect)) {
+        onward = scatter(i, s, material, lobe, -ray.direction, path);
     }
     vec3 left = path.power - onward - cutOff;
     account(path, diffuse ? left : vec3(0.0), (diffuse ? vec3(0.0) : left) + lost, vec3(0.0), cutOff);

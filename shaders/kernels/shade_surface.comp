@@ -1,11 +1,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Decides what becomes of each camera path at its hit: emission is added, a diffuse surface ends the path as a visible
-// point, a mirror or a dielectric sends it on. At a dielectric the path takes one of reflection and refraction
-// (split = 0, visible points and emission stand at the pixel) or both (split = 1, they stand at the path's number).
+// Decides what becomes of each camera path at its hit: emission is added, a diffuse part ends the path as a visible
+// point, a lobe sends it on. At smooth glass the path takes one of reflection and refraction, at a surface with both a
+// diffuse part and a lobe one of these (split = 0, visible points and emission stand at the pixel), or both (split = 1,
+// they stand at the path's number).
 #include "shared/kernel_arguments.h"
-#include "lib/dielectric.glsl"
-#include "lib/environment.glsl"
+#include "lib/bsdf.glsl"
+#include "lib/light.glsl"
 #include "lib/medium.glsl"
 #include "lib/sampling.glsl"
 #include "lib/surface.glsl"
@@ -18,37 +19,84 @@ bool worthFollowing(vec3 beta) {
     return args.depth < args.maxDepth && maxComponent(beta) >= args.minWeight && maxComponent(beta) > 0.0;
 }
 
-void follow(uint slot, Surface s, vec3 direction, bool through, CameraPath path, vec3 beta, uint samplerSeed) {
-    if (!worthFollowing(beta)) {
+void follow(uint slot, Surface s, BsdfSample next, CameraPath path, uint samplerSeed) {
+    path.beta *= next.weight;
+    if (!worthFollowing(path.beta)) {
         return;
     }
-    args.nextRays.at[slot] = leaveSurface(s, direction, through);
-    path.beta = beta;
-    path.medium = through ? (s.front ? s.material : kNone) : path.medium;
     path.samplerSeed = samplerSeed;
+    path.medium = next.through ? (s.front ? s.material : kNone) : path.medium;
+    path.pdfW = next.pdfW;
+    args.nextRays.at[slot] = leaveSurface(s, next.direction, next.through);
     args.nextPaths.at[slot] = path;
     args.alive.at[slot] = 1u;
 }
 
-void crossDielectric(uint slot, Surface s, vec3 d, CameraPath path, float ior) {
-    float cosIncident = clamp(-dot(d, s.normal), 0.0, 1.0); // a smoothed normal may be turned away
-    Interface i = meetInterface(cosIncident, s.front ? 1.0 / ior : ior);
-    // Radiance over the squared index is what refraction conserves.
-    vec3 transmittedBeta = path.beta * (i.eta * i.eta);
-    vec3 reflection = reflected(d, s.normal);
-    if (args.split != 0u) {
-        follow(slot, s, reflection, false, path, path.beta * i.reflectance, hashCombine(path.samplerSeed, 1u));
-        if (i.reflectance < 1.0) {
-            follow(slot + 1u, s, refracted(d, s.normal, cosIncident, i), true, path,
-                   transmittedBeta * (1.0 - i.reflectance), hashCombine(path.samplerSeed, 2u));
+// Emission counts in full where no light was sampled for the path's direction. The normal is the light's where the ray
+// meets it, `distance` away.
+float emissionWeight(LightRecord light, Ray ray, float distance, vec3 normal, CameraPath path) {
+    if (!sceneHasRoughLobes() || path.pdfW == 0.0) {
+        return 1.0;
+    }
+    float pmf = args.split != 0u ? 1.0 : light.pmf;
+    return powerHeuristic(path.pdfW, pmf * lightPdf(light, ray.origin, ray.direction, distance, normal));
+}
+
+VisiblePoint visibleAt(Surface s, DiffusePart diffuse, CameraPath path, float cosOut, float probability) {
+    vec3 f = path.beta * diffuse.share * (diffuseFactor(diffuse.coat, cosOut) * kInvPi / probability);
+    return VisiblePoint(s.position + s.error * s.geometricNormal, args.depth, s.normal, path.samplerSeed, f, path.pixel,
+                        leaving(s, false), packUnitVector(s.geometricNormal, 16u), diffuse.coat);
+}
+
+// Both ways at smooth glass, each with a sequence of random numbers of its own.
+void splitAtGlass(uint slot, Surface s, vec3 wo, Lobe lobe, CameraPath path) {
+    float cosOut = clamp(dot(wo, s.normal), 0.0, 1.0);
+    float reflectance = meetInterface(cosOut, lobe.eta).reflectance;
+    BsdfSample next = sampleSmooth(lobe, s.normal, wo, 0.0, true);
+    next.weight *= reflectance;
+    follow(slot, s, next, path, hashCombine(path.samplerSeed, 1u));
+    if (reflectance < 1.0) {
+        next = sampleSmooth(lobe, s.normal, wo, 1.0, true);
+        next.weight *= 1.0 - reflectance;
+        follow(slot + 1u, s, next, path, hashCombine(path.samplerSeed, 2u));
+    }
+}
+
+// Sends the path on; at a rough lobe the lights are to be sampled too. Its throughput has the lobe's probability
+// divided out.
+void leaveByLobe(uint slot, Surface s, vec3 wo, Lobe lobe, CameraPath path, float choice) {
+    Sampler numbers = Sampler(path.samplerSeed, args.pass);
+    vec2 u = vec2(0.0);
+    if (sceneHasRoughLobes() && lobe.alpha > 0.0) {
+        u = sampleUnit(numbers, cameraBounce(args.depth - 1u));
+        if (args.depth < args.maxDepth) {
+            uint id = slot / (1u + args.split);
+            args.roughPoints.at[id] =
+                RoughPoint(s.position, s.error, s.normal, args.depth, s.geometricNormal, path.samplerSeed, wo,
+                           leaving(s, false), path.beta, args.split != 0u ? id : path.pixel, lobe);
         }
+    }
+    follow(slot, s, sampleLobe(lobe, s.normal, s.geometricNormal, wo, u, choice, true), path, path.samplerSeed);
+}
+
+// Where the material has a diffuse part and a lobe, the path takes one of them, or with `split` both.
+void scatter(uint slot, Surface s, MaterialRecord material, vec3 wo, CameraPath path, inout VisiblePoint visible) {
+    Lobe lobe = lobeOf(material, s.front);
+    if (isMaterial(material.type, kMaterialDielectric) && lobe.alpha == 0.0 && args.split != 0u) {
+        splitAtGlass(slot, s, wo, lobe, path);
         return;
     }
+    DiffusePart diffuse = diffusePart(material);
+    float cosOut = clamp(dot(wo, s.normal), 0.0, 1.0);
     float choice = sampleUnit(Sampler(path.samplerSeed, args.pass), cameraScatter(args.depth - 1u)).x;
-    if (choice < i.reflectance) {
-        follow(slot, s, reflection, false, path, path.beta, path.samplerSeed);
-    } else {
-        follow(slot, s, refracted(d, s.normal, cosIncident, i), true, path, transmittedBeta, path.samplerSeed);
+    float probability = lobeProbability(material, lobe, diffuse, cosOut);
+    bool both = args.split != 0u && probability > 0.0 && probability < 1.0;
+    if (both || choice >= probability) {
+        visible = visibleAt(s, diffuse, path, cosOut, both ? 1.0 : 1.0 - probability);
+    }
+    if (both || choice < probability) {
+        path.beta /= both ? 1.0 : probability;
+        leaveByLobe(slot, s, wo, lobe, path, choice);
     }
 }
 
@@ -63,35 +111,29 @@ void main() {
     Hit hit = args.hits.at[id];
     CameraPath path = args.paths.at[id];
     uint result = args.split != 0u ? id : path.pixel;
-    VisiblePoint visible = VisiblePoint(vec3(0.0), 0u, vec3(0.0), path.samplerSeed, vec3(0.0), path.pixel, 0u, 0u);
+    if (sceneHasRoughLobes()) {
+        args.roughPoints.at[id].depth = 0u;
+    }
+    VisiblePoint visible = VisiblePoint(vec3(0.0), 0u, vec3(0.0), path.samplerSeed, vec3(0.0), path.pixel, 0u, 0u, 0.0);
     vec3 emitted = vec3(0.0);
 
+    Ray ray = args.rays.at[id];
     if (hit.object == kNone) {
-        if (args.lights.at[0].type == kLightEnvironment) {
-            emitted = path.beta * environmentRadiance(args.lights.at[0], args.rays.at[id].direction);
+        LightRecord light = args.lights.at[0];
+        if (light.type == kLightEnvironment) {
+            emitted = path.beta * environmentRadiance(light, ray.direction) *
+                      emissionWeight(light, ray, kInfinity, vec3(0.0), path);
         }
     } else {
-        Ray ray = args.rays.at[id];
         Surface s = surfaceAt(ray, hit, args.normals, args.instances);
         path.beta *= transmittance(args.materials, path.medium, hit.t);
         if (s.light != kNone && s.front) {
-            emitted = path.beta * args.lights.at[s.light].emission;
+            LightRecord light = args.lights.at[s.light];
+            emitted = path.beta * light.emission * emissionWeight(light, ray, hit.t, s.geometricNormal, path);
         }
         if (s.material != kNone) {
             MaterialRecord material = texturedMaterial(args.materials.at[s.material], s);
-            if (material.type == kMaterialDiffuse) {
-                visible.position = s.position + s.error * s.geometricNormal;
-                visible.depth = args.depth;
-                visible.normal = s.normal;
-                visible.geometricNormal = packUnitVector(s.geometricNormal, 16u);
-                visible.f = path.beta * material.color * kInvPi;
-                visible.from = leaving(s, false);
-            } else if (material.type == kMaterialMirror) {
-                follow(slot, s, reflected(ray.direction, s.normal), false, path, path.beta * material.color,
-                       path.samplerSeed);
-            } else if (material.type == kMaterialDielectric) {
-                crossDielectric(slot, s, ray.direction, path, material.ior);
-            }
+            scatter(slot, s, material, -ray.direction, path, visible);
         }
     }
     args.visiblePoints.at[result] = visible;

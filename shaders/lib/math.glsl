@@ -82,6 +82,16 @@ vec3 fromLocal(vec3 local, vec3 n) {
     return local.x * tangent + local.y * bitangent + local.z * n;
 }
 
+// The other way: the coordinates of v in that basis.
+vec3 intoFrame(vec3 v, vec3 n) {
+    float s = n.z < 0.0 ? -1.0 : 1.0;
+    float a = -1.0 / (s + n.z);
+    float b = n.x * n.y * a;
+    vec3 tangent = vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x);
+    vec3 bitangent = vec3(b, s + n.y * n.y * a, -n.y);
+    return vec3(dot(v, tangent), dot(v, bitangent), dot(v, n));
+}
+
 // Unit vectors as points of the unfolded octahedron [Cigolle14], `bits` a coordinate.
 uint packUnitVector(vec3 v, uint bits) {
     vec2 p = v.xy / (abs(v.x) + abs(v.y) + abs(v.z));

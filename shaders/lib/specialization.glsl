@@ -9,6 +9,8 @@ layout(constant_id = 0) const uint kShapeTypes = 0xffffffffu;
 layout(constant_id = 1) const uint kFewObjects = 0u;
 // The first objects of the table that have no end and stand outside the hierarchy.
 layout(constant_id = 2) const uint kEndlessObjects = 0u;
+// Bit kMaterial… is set for every type of material in the scene, kMaterialRough too where any is rough.
+layout(constant_id = 3) const uint kMaterialTypes = 0xffffffffu;
 
 // 0: no material has a texture.
 layout(constant_id = 4) const uint kTextures = 1u;
@@ -19,5 +21,13 @@ bool sceneHas(uint shape) {
 
 bool isShape(uint type, uint shape) {
     return sceneHas(shape) && (type & kShapeTypeMask) == shape;
+}
+
+bool sceneHasRoughLobes() {
+    return ((kMaterialTypes >> kMaterialRough) & 1u) != 0u;
+}
+
+bool isMaterial(uint type, uint material) {
+    return ((kMaterialTypes >> material) & 1u) != 0u && type == material;
 }
 #endif

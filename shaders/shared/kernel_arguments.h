@@ -43,7 +43,19 @@ struct ShadeSurfaceArguments {
     uint maxDepth; // no next ray from here on
     uint pass;
     uint split;
-    float minWeight; // a next ray whose throughput is below this in every channel is not followed
+    float minWeight;             // a next ray whose throughput is below this in every channel is not followed
+    RoughPointArray roughPoints; // out, one per path; untouched in scenes without rough lobes
+};
+
+struct SampleRoughLightsArguments {
+    RoughPointArray roughPoints;
+    LightArray lights;
+    ColorArray direct; // in and out, at RoughPoint.result: radiance [W/(m^2 sr)] is added
+    uint count;
+    uint lightCount;
+    uint light; // sample this one, or kNone: one picked in proportion to power
+    uint pass;
+    uint rootNode;
 };
 
 struct SampleLightsArguments {

@@ -32,5 +32,10 @@ SHARED_CONSTANT kMostClassifiedLights = 16u;
 // Marks "no object", "no light", "no material" in 32-bit indices.
 SHARED_CONSTANT kNone = 0xffffffffu;
 
+// Microfacets of an alpha below this count as smooth: single precision could not tell their directions apart. So do
+// those between media whose indices differ by less than a thousandth, which refract by nothing.
+SHARED_FLOAT kSmoothAlpha = 1.0e-3F;
+SHARED_FLOAT kSmoothIndex = 1.0e-3F;
+
 SHARED_END
 #endif

@@ -42,12 +42,38 @@ struct VisiblePoint {
     uint depth;    // segments from the camera to here; 0: the path found no diffuse surface
     vec3 normal;   // unit, on the side the path came from
     uint samplerSeed;
-    vec3 f; // path throughput times the BRDF albedo / pi [1/sr]
+    vec3 f; // path throughput times the BRDF [1/sr], but for the coat's factor of the direction of incidence
     uint pixel;
     uint from;            // see Ray
     uint geometricNormal; // on the same side, octahedral, 16 bits a coordinate
+    float coat;           // multiply f by diffuseFactor(coat, cosine) for every direction of incidence
 };
 DEVICE_ARRAY(VisiblePoint, VisiblePointArray);
+
+// How a surface reflects or refracts, seen from one side, without its diffuse part.
+struct Lobe {
+    uint type;       // kMaterial…
+    vec3 color;      // mirror: reflectance; conductor: real part of the index; metallic-roughness: F0
+    vec3 extinction; // conductor: imaginary part of the index
+    float eta;       // dielectric: index of the side it is seen from over that of the other
+    float alpha;     // of the GGX distribution; 0: smooth
+};
+
+// Where a camera path leaves by a rough lobe: there the lights are sampled.
+struct RoughPoint {
+    vec3 position;        // on the surface, world [m]
+    float error;          // bound on the error of position [m]
+    vec3 normal;          // unit, on the side the path came from
+    uint depth;           // segments from the camera to here; 0: the path left by no rough lobe
+    vec3 geometricNormal; // unit, on the same side
+    uint samplerSeed;
+    vec3 wo;     // unit, to where the path came from
+    uint from;   // see Ray; of a ray that stays on this side
+    vec3 beta;   // path throughput, probability of the lobe divided out
+    uint result; // where the light it gets is added: the pixel, or the path where pixels have several
+    Lobe lobe;
+};
+DEVICE_ARRAY(RoughPoint, RoughPointArray);
 
 // Photon path in flight.
 struct PhotonPath {
@@ -62,7 +88,7 @@ DEVICE_ARRAY(PhotonPath, PhotonPathArray);
 // The ways by which light comes to a diffuse surface: what a photon that lands there is called.
 SHARED_CONSTANT kPhotonDirect = 0u;   // straight from the light
 SHARED_CONSTANT kPhotonIndirect = 1u; // by way of a diffuse surface
-SHARED_CONSTANT kPhotonCaustic = 2u;  // by way of mirrors and glass alone
+SHARED_CONSTANT kPhotonCaustic = 2u;  // by way of mirrors, metal and glass alone
 SHARED_CONSTANT kPhotonShadow = 3u;   // no light: something stands between the light and this place; no power
 
 // A stored photon; the sorted photons are also read as two texels each.

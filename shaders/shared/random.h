@@ -89,14 +89,17 @@ SHARED_FUNCTION uvec2 sampleBits(Sampler s, uint dimension) {
 SHARED_CONSTANT kCameraPixel = 0u; // place in the pixel
 SHARED_CONSTANT kCameraLens = 1u;  // place on the lens
 
-SHARED_FUNCTION uint cameraScatter(uint vertex) { // x: reflected or refracted
-    return 2u + 3u * vertex;
+SHARED_FUNCTION uint cameraScatter(uint vertex) { // x: reflected or refracted, by lobe or diffuse part
+    return 2u + 4u * vertex;
 }
 SHARED_FUNCTION uint cameraLightPoint(uint vertex) { // point on the light
-    return 3u + 3u * vertex;
+    return 3u + 4u * vertex;
 }
 SHARED_FUNCTION uint cameraLightChoice(uint vertex) { // x: which light
-    return 4u + 3u * vertex;
+    return 4u + 4u * vertex;
+}
+SHARED_FUNCTION uint cameraBounce(uint vertex) { // direction off a rough surface
+    return 5u + 4u * vertex;
 }
 
 // Final gathering: the rays from a visible point have a sequence of their own, numbered over all passes.
@@ -119,10 +122,10 @@ SHARED_CONSTANT kPhotonLight = 0u;     // x: which light emits, y: which target 
 SHARED_CONSTANT kPhotonOrigin = 1u;    // point on the light
 SHARED_CONSTANT kPhotonDirection = 2u; // direction of emission
 
-SHARED_FUNCTION uint photonScatter(uint vertex) { // x: roulette, y: reflected or refracted
+SHARED_FUNCTION uint photonScatter(uint vertex) { // x: roulette, y: reflected or refracted, by lobe or diffuse part
     return 3u + 2u * vertex;
 }
-SHARED_FUNCTION uint photonBounce(uint vertex) { // direction after a diffuse reflection
+SHARED_FUNCTION uint photonBounce(uint vertex) { // direction off a diffuse or rough surface
     return 4u + 2u * vertex;
 }
 

@@ -17,10 +17,13 @@ struct CameraRecord {
     float focusDistance; // from the lens to the plane that is sharp [m]
 };
 
-SHARED_CONSTANT kMaterialAbsorber = 0u;   // reflects nothing
-SHARED_CONSTANT kMaterialDiffuse = 1u;    // color = albedo
-SHARED_CONSTANT kMaterialMirror = 2u;     // color = reflectance
-SHARED_CONSTANT kMaterialDielectric = 3u; // ior = inside over outside
+SHARED_CONSTANT kMaterialAbsorber = 0u;          // reflects nothing
+SHARED_CONSTANT kMaterialDiffuse = 1u;           // color = albedo
+SHARED_CONSTANT kMaterialMirror = 2u;            // color = reflectance
+SHARED_CONSTANT kMaterialDielectric = 3u;        // ior = inside over outside
+SHARED_CONSTANT kMaterialConductor = 4u;         // color + i extinction = index
+SHARED_CONSTANT kMaterialMetallicRoughness = 5u; // color = that of the diffuse base and of the metal
+SHARED_CONSTANT kMaterialRough = 31u;            // no type: says of a scene that some lobe of it is rough
 
 struct MaterialRecord {
     uint type;

@@ -109,6 +109,28 @@ inline Scene crowdedBox() {
     return scene;
 }
 
+// The Cornell box of coats, metal and frosted glass.
+inline Scene roughBox() {
+    Scene scene = reference::test::cornellBox();
+    scene.materials = {{"white", MetallicRoughness{{0.7, 0.5, 0.3}, 0, 0.4}},
+                       {"red", Conductor{{0.2, 0.9, 1.1}, {3.9, 2.4, 2.1}, 0.5}},
+                       {"green", MetallicRoughness{{0.2, 0.6, 0.4}, 0.6, 0.8}},
+                       {"mirror", Conductor{{1.6, 0.9, 0.5}, {9.2, 6.3, 4.8}, 0}},
+                       {"glass", Dielectric{1.5, 0.35}}};
+    reference::test::addMaterial(scene, MetallicRoughness{{0.9, 0.2, 0.1}, 0, 0});
+    reference::test::addMaterial(scene, Dielectric{0.7, 0.2});
+    reference::test::addMaterial(scene, Conductor{dvec3(0.2), dvec3(3), 1});
+    reference::test::Random random;
+    for (std::size_t i = 0; i < 24; ++i) {
+        reference::test::addObject(scene, Sphere{random.inCube(0.9), random.between(0.05, 0.2)}, i % 8);
+    }
+    scene.meshes = {sphereMesh(12, true)};
+    reference::test::addObject(scene, MeshInstance{0, glm::scale(glm::dmat4(1), dvec3(0.3))}, 4);
+    scene.lights = {{{0.2, 0.5, 0.1}, {1, 2, 3}}};
+    reference::test::addObject(scene, Sphere{{-0.5, 0.5, 0.5}, 0.15}, std::nullopt, {2, 6, 3});
+    return scene;
+}
+
 inline double distance(const vec3& a, const dvec3& b) {
     return glm::length(dvec3(a) - b);
 }

@@ -37,7 +37,9 @@ TEST_CASE("light sampling sends the reference's contribution along the reference
     const std::uint32_t count = 20000;
     std::vector<shared::VisiblePoint> points(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-        points[i] = {random.inCube(0.9), i % 13, random.direction(), shared::hash(i), vec3(0.3, 0.2, 0.1), i, 0, 0};
+        points[i] = {
+            random.inCube(0.9),       i % 13, random.direction(), shared::hash(i), vec3(0.3, 0.2, 0.1), i, 0, 0,
+            static_cast<float>(i % 2)};
     }
     const auto devicePoints = both.upload(points);
     const auto rays = both.room<shared::Ray>(count);
@@ -66,7 +68,7 @@ TEST_CASE("light sampling sends the reference's contribution along the reference
             const shared::VisiblePoint& p = points[i];
             const bool shortEnough = p.depth > 0 && p.depth + 1 <= both.scene.render.maxDepth;
             const reference::VisiblePoint x{p.position, p.position, dvec3(p.normal), dvec3(p.normal),
-                                            dvec3(p.f), p.depth,    p.samplerSeed};
+                                            dvec3(p.f), p.depth,    p.samplerSeed,   p.coat != 0};
             const auto one = light == shared::kNone ? std::nullopt : std::optional<std::uint32_t>(light);
             const auto sample = shortEnough ? reference::sampleLight(both.world, x, pass, one) : std::nullopt;
             const reference::LightSample expected = sample.value_or(reference::LightSample{});

@@ -119,7 +119,8 @@ TEST_CASE("gathering meets every photon of the disc once, also where cells share
                              vec3(1),
                              i,
                              0,
-                             kUp16};
+                             kUp16,
+                             static_cast<float>(i % 2)};
             }
             const auto devicePoints = both.upload(points);
             const auto gathered = both.room<vec3>(count);
@@ -138,7 +139,7 @@ TEST_CASE("gathering meets every photon of the disc once, also where cells share
             for (std::uint32_t i = 0; i < count; ++i) {
                 const dvec3 normal = glm::normalize(dvec3(-1, -1, 65533)); // 0x7fff stands for -1/65535
                 const reference::VisiblePoint x{
-                    points[i].position, points[i].position, {0, 0, 1}, normal, dvec3(1), 1, 0};
+                    points[i].position, points[i].position, {0, 0, 1}, normal, dvec3(1), 1, 0, points[i].coat != 0};
                 const double expected = reference::gatherRadiance(map, x, radius, 12).x;
                 const double actual = gathered.host()[i].x;
                 edge += std::abs(actual - expected) > 1e-4 * expected ? 1 : 0;
@@ -155,8 +156,8 @@ TEST_CASE("photons of another surface, another side or too long a path are not g
     const auto estimate = [&](const shared::Photon& photon, std::uint32_t depth, std::uint32_t maxDepth) {
         const auto photons = both.upload(std::vector{photon});
         grid.build(both.device, photons, 1, radius);
-        const auto points =
-            both.upload(std::vector<shared::VisiblePoint>{{vec3(0), depth, vec3(0, 0, 1), 0, vec3(0.5), 0, 0, kUp16}});
+        const auto points = both.upload(
+            std::vector<shared::VisiblePoint>{{vec3(0), depth, vec3(0, 0, 1), 0, vec3(0.5), 0, 0, kUp16, 0}});
         const auto gathered = both.room<vec3>(1);
         both.run(
             "gather_radiance",

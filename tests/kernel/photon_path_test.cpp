@@ -20,6 +20,10 @@ static_assert(shared::kPhotonShadow == static_cast<std::uint32_t>(PhotonKind::Sh
 // octahedral encoding of 11 bits is right to 2.08e-3.
 constexpr double kNormalError = 2.08e-3;
 
+// Positions are right to a few 1e-7, normals on spheres of radius 0.05 to twenty times that; so are directions, and
+// weights that depend on them, once their conditioning is taken out.
+constexpr double kScatterError = 2e-5;
+
 dvec3 unpackNormal(std::uint32_t bits) {
     const auto coordinate = [](std::uint32_t v) { return (v & 0x7ffU) / 2047.0 * 2 - 1; };
     dvec3 v(coordinate(bits), coordinate(bits >> 11), 0);
@@ -35,8 +39,7 @@ dvec3 unpackNormal(std::uint32_t bits) {
 } // namespace
 
 TEST_CASE("photons are stored, scattered and absorbed as in the reference at every depth") {
-    const bool meshes = GENERATE(false, true);
-    Scene scene = meshes ? crowdedBox() : reference::test::cornellBox();
+    Scene scene = GENERATE(reference::test::cornellBox(), crowdedBox(), roughBox());
     scene.render.maxDepth = 6;
     BothSides both(scene);
     reference::test::Random random;
@@ -104,9 +107,9 @@ TEST_CASE("photons are stored, scattered and absorbed as in the reference at eve
             if (goesOn) {
                 const dvec3 normal = reference::evaluateSurface(both.world, ray, *hit).normal;
                 const double condition = conditioning(ray.direction, expected.next->direction, normal);
-                CHECK(distance(nextRays.host()[i].direction, expected.next->direction) * condition < 1e-5);
+                CHECK(distance(nextRays.host()[i].direction, expected.next->direction) * condition < kScatterError);
                 CHECK(distance(nextRays.host()[i].origin, expected.next->origin) < 2e-5);
-                CHECK(distance(nextPaths.host()[i].power, expected.path.power) < 1e-5);
+                CHECK(distance(nextPaths.host()[i].power, expected.path.power) * condition < kScatterError);
                 CHECK(nextPaths.host()[i].photon == i);
                 CHECK(nextPaths.host()[i].light == 4);
                 CHECK(nextPaths.host()[i].kind == static_cast<std::uint32_t>(expected.path.kind));

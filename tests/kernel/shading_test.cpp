@@ -1,5 +1,5 @@
 // shade_surface against its twin, with one child and with both.
-#include "kernel/kernel_support.h"
+#include "kernel/bounce.h"
 #include "reference/shading.h"
 
 namespace hyalite::testing {
@@ -9,42 +9,6 @@ namespace {
 // Positions are right to a few 1e-7 of coordinates up to 10 (a mesh at scale 0.1, in its own space); so are directions
 // and reflectances, once their conditioning is taken out.
 constexpr double kScatterError = 2e-5;
-
-// Runs trace_closest and shade_surface on given rays, as one bounce of a render does.
-struct Bounce {
-    gpu::Array<shared::Ray> rays;
-    gpu::Array<shared::Hit> hits;
-    gpu::Array<shared::CameraPath> paths;
-    gpu::Array<shared::VisiblePoint> visible;
-    gpu::Array<vec3> emitted;
-    gpu::Array<shared::Ray> nextRays;
-    gpu::Array<shared::CameraPath> nextPaths;
-    gpu::Array<shared::uint> alive;
-};
-
-Bounce shade(BothSides& both, const std::vector<shared::Ray>& rays, const std::vector<shared::CameraPath>& paths,
-             std::uint32_t depth, std::uint32_t pass, std::uint32_t split) {
-    const auto count = static_cast<std::uint32_t>(rays.size());
-    const std::size_t slots = (1 + split) * std::size_t{count};
-    Bounce b{both.upload(rays),
-             both.room<shared::Hit>(count),
-             both.upload(paths),
-             both.upload(std::vector<shared::VisiblePoint>(count)),
-             both.upload(std::vector<vec3>(count, vec3(0))),
-             both.room<shared::Ray>(slots),
-             both.room<shared::CameraPath>(slots),
-             both.room<shared::uint>(slots)};
-    both.run("trace_closest", shared::TraceClosestArguments{b.rays, b.hits, count, both.deviceScene.rootNode}, count);
-    const std::uint32_t maxDepth = both.scene.render.maxDepth + split;
-    const auto minWeight = split != 0 ? static_cast<float>(both.scene.render.minWeight) : 0.0F;
-    const auto& d = both.deviceScene;
-    both.run("shade_surface",
-             shared::ShadeSurfaceArguments{b.rays, b.hits, b.paths, d.materials, d.lights, d.normals, d.instances,
-                                           b.visible, b.emitted, b.nextRays, b.nextPaths, b.alive, count, depth,
-                                           maxDepth, pass, split, minWeight},
-             count);
-    return b;
-}
 
 void compareChild(const std::optional<reference::NextRay>& expected, const dvec3& arriving, const dvec3& normal,
                   const Bounce& b, std::size_t slot) {

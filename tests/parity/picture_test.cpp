@@ -56,6 +56,15 @@ TEST_CASE("whitted and ppm give the reference's picture of every shape and of CS
     comparePictures("whitted-shapes", scene, 0.99);
 }
 
+TEST_CASE("whitted and ppm give the reference's picture of every material, smooth and rough") {
+    Scene scene = loadScene(std::filesystem::path(HYALITE_SOURCE_DIR) / "scenes/tests/all-materials.yaml");
+    // Photons that come by rough glass and metal land a little aside, on the other side of a disc's rim
+    comparePictures("ppm-materials", scene, 0.97);
+    scene.render.integrator = Integrator::Whitted;
+    scene.render.minWeight = 0.01;
+    comparePictures("whitted-materials", scene, 0.99);
+}
+
 TEST_CASE("whitted and ppm give the reference's picture of every light") {
     Scene scene = loadScene(std::filesystem::path(HYALITE_SOURCE_DIR) / "scenes/tests/all-lights.yaml");
     // As above; and two in a thousand rays see the next texel of the sky or the next triangle of an emitting mesh

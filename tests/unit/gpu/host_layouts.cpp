@@ -36,7 +36,10 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(Ray, origin, tMax, direction, from);
     HOST_LAYOUT(Hit, t, object, primitive, uv);
     HOST_LAYOUT(CameraPath, beta, pixel, samplerSeed, medium, pdfW);
-    HOST_LAYOUT(VisiblePoint, position, depth, normal, samplerSeed, f, pixel, from, geometricNormal);
+    HOST_LAYOUT(VisiblePoint, position, depth, normal, samplerSeed, f, pixel, from, geometricNormal, coat);
+    HOST_LAYOUT(Lobe, type, color, extinction, eta, alpha);
+    HOST_LAYOUT(RoughPoint, position, error, normal, depth, geometricNormal, samplerSeed, wo, from, beta, result,
+                lobe.type, lobe.color, lobe.extinction, lobe.eta, lobe.alpha);
     HOST_LAYOUT(PhotonPath, power, photon, light, kind, medium);
     HOST_LAYOUT(Photon, position, direction, power, surface);
     HOST_LAYOUT(PhotonFate, stored, absorbed, escaped, cutOff);
@@ -46,7 +49,8 @@ std::map<std::string, HostLayout> hostLayouts() {
                 camera.width, camera.height, camera.lensRadius, camera.focusDistance, count, seed, pass);
     HOST_LAYOUT(TraceClosestArguments, rays, hits, count, rootNode);
     HOST_LAYOUT(ShadeSurfaceArguments, rays, hits, paths, materials, lights, normals, instances, visiblePoints, emitted,
-                nextRays, nextPaths, alive, count, depth, maxDepth, pass, split, minWeight);
+                nextRays, nextPaths, alive, count, depth, maxDepth, pass, split, minWeight, roughPoints);
+    HOST_LAYOUT(SampleRoughLightsArguments, roughPoints, lights, direct, count, lightCount, light, pass, rootNode);
     HOST_LAYOUT(SampleLightsArguments, visiblePoints, lights, shadowRays, contributions, count, lightCount, light, pass,
                 maxDepth);
     HOST_LAYOUT(TraceShadowArguments, shadowRays, contributions, direct, count, rootNode);

@@ -224,8 +224,10 @@ TEST_CASE("glTF materials are read, and primitives with the same data share a me
     CHECK(paint.metallic == 0.4);
     CHECK(paint.roughness == 1);
 
-    CHECK(std::get<Mirror>(nearestModel(gold)).reflectance == gold.baseColor);
-    CHECK(std::get<Diffuse>(nearestModel(paint)).albedo == paint.baseColor);
+    const auto model = std::get<MetallicRoughness>(sceneModel(gold));
+    CHECK(model.baseColor == gold.baseColor);
+    CHECK(model.metallic == 1);
+    CHECK(model.roughness == 0.25);
 }
 
 TEST_CASE("the parts of a glTF file merge into one mesh whose fronts and normals follow their transforms") {
@@ -271,8 +273,12 @@ TEST_CASE("a scene shows the parts of a glTF file with its materials, or with th
     REQUIRE(scene.materials.size() == 3);
     CHECK(scene.objects[0].material == 0U);
     CHECK(scene.objects[1].material == 0U);
-    CHECK(std::get<Mirror>(scene.materials.at(scene.objects[2].material.value()).model).reflectance == glm::dvec3(1));
-    CHECK(std::get<Diffuse>(scene.materials.at(scene.objects[3].material.value()).model).albedo == glm::dvec3(1));
+    for (const std::size_t i : {2U, 3U}) {
+        const auto& model = std::get<MetallicRoughness>(scene.materials.at(scene.objects[i].material.value()).model);
+        CHECK(model.baseColor == glm::dvec3(1));
+        CHECK(model.metallic == (i == 2 ? 1 : 0)); // 1 where the file does not say
+        CHECK(model.roughness == 1);
+    }
     for (const Object& object : scene.objects) {
         // Moved by the node, then scaled by the object: (0, 2, 0) to (1, 2, 0) to (2, 4, 0).
         const auto& instance = std::get<MeshInstance>(object.shape);

@@ -129,6 +129,7 @@ objects: [{shape: {type: sphere, radius: 2}, material: b}]
     CHECK(std::get<Diffuse>(scene.materials.at(0).model).albedo == glm::dvec3(0.5));
     CHECK(std::get<Mirror>(scene.materials.at(1).model).reflectance == glm::dvec3(1));
     CHECK(std::get<Dielectric>(scene.materials.at(2).model).ior == 1.5);
+    CHECK(std::get<Dielectric>(scene.materials.at(2).model).roughness == 0);
     CHECK(std::get<Sphere>(scene.objects.at(0).shape).center == glm::dvec3(0));
     CHECK(scene.objects.at(0).material == 1);
     CHECK(scene.objects.at(0).where.line == 4);
@@ -213,6 +214,39 @@ TEST_CASE("a matrix is read row by row") {
     const Sphere sphere = loadSphere("[{matrix: [0, 2, 0, 5, -2, 0, 0, 6, 0, 0, 2, 7, 0, 0, 0, 1]}]");
     checkNear(sphere.center, {9, 4, 13});
     CHECK_THAT(sphere.radius, WithinAbs(1, 1e-12));
+}
+
+TEST_CASE("metals have the index of their name or of their own, and materials are smooth where nothing is said") {
+    TemporaryFolder folder;
+    const Scene scene =
+        loadScene(folder.write("scene.yaml", "hyalite: 1\n"
+                                             "lights: [{type: point, position: [0, 1, 0]}]\n"
+                                             "materials:\n"
+                                             "  a: {type: conductor, metal: silver, roughness: 0.25}\n"
+                                             "  b: {type: conductor, eta: 1.5, k: [1, 2, 3]}\n"
+                                             "  c: {type: dielectric, roughness: 0.5}\n"
+                                             "  d: {type: metallic_roughness}\n"
+                                             "  e: {type: metallic_roughness, base_color: [1, 0, 0.5], metallic: 1, "
+                                             "roughness: 0.1}\n"
+                                             "objects: [{shape: {type: sphere, radius: 1}, material: a}]\n"));
+    const auto silver = std::get<Conductor>(scene.materials.at(0).model);
+    CHECK(silver.eta == glm::dvec3(0.155, 0.117, 0.138));
+    CHECK(silver.k == glm::dvec3(4.828, 3.122, 2.147));
+    CHECK(silver.roughness == 0.25);
+    const auto own = std::get<Conductor>(scene.materials.at(1).model);
+    CHECK(own.eta == glm::dvec3(1.5));
+    CHECK(own.k == glm::dvec3(1, 2, 3));
+    CHECK(own.roughness == 0);
+    CHECK(std::get<Dielectric>(scene.materials.at(2).model).ior == 1.5);
+    CHECK(std::get<Dielectric>(scene.materials.at(2).model).roughness == 0.5);
+    const auto gray = std::get<MetallicRoughness>(scene.materials.at(3).model);
+    CHECK(gray.baseColor == glm::dvec3(0.8));
+    CHECK(gray.metallic == 0);
+    CHECK(gray.roughness == 0.5);
+    const auto pink = std::get<MetallicRoughness>(scene.materials.at(4).model);
+    CHECK(pink.baseColor == glm::dvec3(1, 0, 0.5));
+    CHECK(pink.metallic == 1);
+    CHECK(pink.roughness == 0.1);
 }
 
 TEST_CASE("a quad follows any affine map") {

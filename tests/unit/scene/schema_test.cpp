@@ -72,6 +72,9 @@ TEST_CASE("the JSON Schema has exactly the keys that the loader knows") {
         {"/$defs/diffuse", "hyalite: 1\nobjects: []\nmaterials: {m: {type: diffuse, unheardof: 1}}\n"},
         {"/$defs/mirror", "hyalite: 1\nobjects: []\nmaterials: {m: {type: mirror, unheardof: 1}}\n"},
         {"/$defs/dielectric", "hyalite: 1\nobjects: []\nmaterials: {m: {type: dielectric, unheardof: 1}}\n"},
+        {"/$defs/conductor", "hyalite: 1\nobjects: []\nmaterials: {m: {type: conductor, metal: gold, unheardof: 1}}\n"},
+        {"/$defs/metallicRoughness",
+         "hyalite: 1\nobjects: []\nmaterials: {m: {type: metallic_roughness, unheardof: 1}}\n"},
         {"/$defs/checker", "hyalite: 1\nobjects: []\ntextures: {t: {type: checker, unheardof: 1}}\n"},
         {"/$defs/imageTexture", "hyalite: 1\nobjects: []\ntextures: {t: {type: image, file: t.png, unheardof: 1}}\n"},
         {"/$defs/textureReference", "hyalite: 1\nobjects: []\ntextures: {t: {type: checker}}\n"

@@ -25,8 +25,17 @@ GOOD = {
     "textures": {"c": {"type": "checker", "colors": [0, [1, 1, 1]], "size": 2, "space": "uv"},
                  "i": {"type": "image", "file": "i.png", "encoding": "linear"}},
     "render": {"integrator": "whitted", "max_depth": 0, "radius": 0},
-    "materials": {"m": {"type": "diffuse", "albedo": 0.5}, "t": {"type": "mirror", "reflectance": {"texture": "c"}},
-                  "g": {"type": "dielectric", "absorption": [0, 1, 2]}},
+    "materials": {
+        "m": {"type": "diffuse", "albedo": 0.5},
+        "t": {"type": "mirror", "reflectance": {"texture": "c"}},
+        "g": {"type": "dielectric", "absorption": [0, 1, 2]},
+        "gold": {"type": "conductor", "metal": "gold", "roughness": 0.3},
+        "tin": {"type": "conductor", "eta": 1.5, "k": [5, 5, 4.5]},
+        "frosted": {"type": "dielectric", "roughness": 0.2},
+        "paint": {"type": "metallic_roughness", "base_color": [1, 0, 0], "metallic": 0.5, "roughness": 1},
+        "worn": {"type": "metallic_roughness", "base_color": {"texture": "c"},
+                 "metallic_roughness_texture": {"texture": "i"}},
+    },
     "lights": [{"type": "point", "position": [0, 1, 0], "intensity": [1, 1, 1], "photon_share": 2},
                {"type": "spot", "position": [0, 1, 0], "direction": [0, -1, 0], "angle": 180, "blend": 0},
                {"type": "directional", "direction": [0, -1, 0], "radius": 0.5, "center": [0, 3, 0]},
@@ -64,12 +73,16 @@ MISTAKES = [
     (["render", "photons"], 16777217), (["render", "radius"], -1), (["render", "alpha"], 1),
     (["render", "integrator"], "ppm"),  # with max_depth 0
     (["materials", "m", "albedo"], 1.1), (["materials", "m", "type"], "velvet"), (["materials", "m", "ior"], 1.5),
+    (["materials", "gold", "eta"], 1), (["materials", "gold", "metal"], "tin"), (["materials", "gold", "metal"], None),
+    (["materials", "gold", "roughness"], 1.5), (["materials", "tin", "k"], None), (["materials", "tin", "eta"], 0),
+    (["materials", "frosted", "roughness"], -1), (["materials", "paint", "metallic"], 2),
+    (["materials", "paint", "base_color"], [1, 0, 1.1]), (["materials", "paint", "ior"], 1.5),
+    (["materials", "worn", "metallic_roughness_texture"], "i"),
     (["lights", 0, "intensity"], [1, -1, 1]), (["lights", 0, "position"], None), (["lights", 0, "type"], "lamp"),
     (["lights", 0, "photon_share"], 0), (["lights", 1, "direction"], None), (["lights", 1, "angle"], 181),
     (["lights", 1, "blend"], 1.5), (["lights", 2, "radius"], None),  # with a center
     (["lights", 2, "radius"], 0), (["lights", 3, "radiance"], 1),  # beside an image
     (["lights", 3, "image"], ""), (["lights", 3, "scale"], -1), (["objects", 1, "photon_share"], 1001),
-   
     (["objects", 0, "material"], None), (["objects", 0, "emission"], -1), (["objects", 0, "shape", "radius"], 0),
     (["objects", 0, "shape", "radius"], None), (["objects", 0, "shape", "type"], "cube"),
     (["objects", 0, "transform"], {"scale": 2}), (["objects", 0, "transform", 0, "translate"], [0, 0, 0]),
