@@ -187,9 +187,8 @@ void refuseUnused(const RenderCommand& command, const Scene& scene) {
         throw Error(ExitCode::WrongUsage, "only integrator photonmap saves and loads photon maps",
                     "add --integrator photonmap");
     }
-    const bool anyExr = std::ranges::any_of(command.outputs, [](const std::string& output) {
-        return std::filesystem::path(output).extension() == ".exr";
-    });
+    const bool anyExr = std::ranges::any_of(
+        command.outputs, [](const std::string& output) { return std::filesystem::path(output).extension() == ".exr"; });
     if (command.layers && !anyExr) {
         throw Error(ExitCode::WrongUsage, "--layers has no use without an .exr file to write them to",
                     "add -o FILE.exr");

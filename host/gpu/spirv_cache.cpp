@@ -62,7 +62,8 @@ std::optional<SpirV> SpirvCache::load(const std::string& key) const {
     std::copy_n(bytes.data() + sizeof(Header), spirv.size() * sizeof(SpirV::value_type),
                 reinterpret_cast<char*>(spirv.data()));
     const bool sound = header.magic == Header().magic && payload == header.words * sizeof(SpirV::value_type) &&
-                       header.checksum == fnv(std::as_bytes(std::span(spirv))) && !spirv.empty() && spirv[0] == kSpirvMagic;
+                       header.checksum == fnv(std::as_bytes(std::span(spirv))) && !spirv.empty() &&
+                       spirv[0] == kSpirvMagic;
     return sound ? std::optional(std::move(spirv)) : std::nullopt;
 }
 

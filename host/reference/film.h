@@ -49,9 +49,10 @@ private:
 class LayeredFilm {
 public:
     LayeredFilm(std::uint32_t width, std::uint32_t height, std::vector<LayerKind> layers)
-        : layers_(std::move(layers)), width_(width), height_(height), sums_(std::size_t{width} * height * layers_.size()) {}
+        : layers_(std::move(layers)), width_(width), height_(height),
+          sums_(std::size_t{width} * height * layers_.size()) {}
 
-    // Adds radiances(pixel), an array of one dvec3 per layer, to every pixel, from all cores at once.
+    // Adds radiances(pixel), one dvec3 per layer, to every pixel, from all cores at once.
     template <typename Radiances>
     void addPass(const Radiances& radiances) {
         constexpr std::size_t kBlock = 64;

@@ -3,6 +3,7 @@
 
 #include "reference/materials.h"
 #include "reference/photons.h"
+#include "reference/projection_map.h"
 #include "reference/world.h"
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 #include "reference/photon_mapping.h"
 
 #include "base/parallel.h"
-#include "reference/film.h"
 #include "reference/materials.h"
 #include "reference/photons.h"
 #include "reference/radiance_estimate.h"
@@ -20,31 +19,6 @@ namespace hyalite::reference {
 namespace {
 
 using std::numbers::pi;
-
-RadianceEstimateOptions globalOptions(const World& world, std::uint32_t kinds) {
-    const PhotonMapSettings& settings = world.render.photonMap;
-    return {.nearest = settings.nearest,
-            .radius = world.globalRadius,
-            .kinds = kinds,
-            .maxDepth = world.render.maxDepth,
-            .filter = settings.filter,
-            .coneConstant = settings.coneConstant};
-}
-
-RadianceEstimateOptions causticOptions(const World& world) {
-    const PhotonMapSettings& settings = world.render.photonMap;
-    return {.nearest = settings.causticNearest,
-            .radius = world.causticRadius,
-            .kinds = kindBit(PhotonKind::Caustic),
-            .maxDepth = world.render.maxDepth,
-            .filter = settings.causticFilter,
-            .coneConstant = settings.coneConstant,
-            .maxChange = settings.differentialChecking ? 0.5 : 0};
-}
-
-constexpr std::uint32_t kGlobalKinds = 1U << static_cast<std::uint32_t>(PhotonKind::Direct) |
-                                       1U << static_cast<std::uint32_t>(PhotonKind::Indirect) |
-                                       1U << static_cast<std::uint32_t>(PhotonKind::Caustic);
 
 PhotonMap traceGlobalMap(const World& world) {
     return PhotonMap(
@@ -105,20 +79,6 @@ glm::dvec3 lookUp(const World& world, const PhotonMaps& maps, const VisiblePoint
     return y.f * maps.irradiance->photons()[nearest.front().index].power * (y.coated ? 20.0 / 21 : 1);
 }
 
-// Follows a path through mirrors and glass to the first diffuse surface and sums what `visit` says of it.
-template <class Visit>
-void followPath(const World& world, const Ray& ray, const CameraPath& path, std::uint32_t depth, std::uint32_t index,
-                const Visit& visit) {
-    const std::optional<Hit> hit = traceClosest(world, ray);
-    const Shading shading = hit ? shadeSurface(world, ray, *hit, path, depth, index) : shadeMiss(world, ray, path);
-    visit(shading);
-    for (const std::optional<NextRay>& next : shading.next) {
-        if (next) {
-            followPath(world, next->ray, next->path, depth + 1, index, visit);
-        }
-    }
-}
-
 // One gathering ray brings f cos / pdf = f pi times the radiance it finds. Light it sees itself is direct light, and
 // light it sees in mirrors, through glass or on rough surfaces belongs to the caustics: none of it counts.
 glm::dvec3 finalGather(const World& world, const PhotonMaps& maps, const VisiblePoint& x, std::uint32_t pass) {
@@ -127,8 +87,7 @@ glm::dvec3 finalGather(const World& world, const PhotonMaps& maps, const Visible
     for (std::uint32_t ray = 0; ray < rays; ++ray) {
         const std::uint32_t index = pass * rays + ray;
         const shared::Sampler sampler{.seed = shared::gatherSequence(x.samplerSeed), .index = index};
-        const glm::dvec3 direction =
-            cosineHemisphere(sampleUnitSquare(sampler, shared::kGatherDirection), x.normal);
+        const glm::dvec3 direction = cosineHemisphere(sampleUnitSquare(sampler, shared::kGatherDirection), x.normal);
         if (glm::dot(direction, x.geometricNormal) <= 0) {
             continue;
         }
@@ -170,13 +129,35 @@ LightComponents lightAt(const World& world, const PhotonMaps& maps, const Visibl
     if (maps.caustic) {
         light.caustic = estimateRadiance(*maps.caustic, x, causticOptions(world)).radiance;
     }
-    light.indirect = world.render.photonMap.gatherRays > 0
-                         ? finalGather(world, maps, x, pass)
-                         : estimateRadiance(maps.global, x, globalOptions(world, kindBit(PhotonKind::Indirect))).radiance;
+    light.indirect =
+        world.render.photonMap.gatherRays > 0
+            ? finalGather(world, maps, x, pass)
+            : estimateRadiance(maps.global, x, globalOptions(world, kindBit(PhotonKind::Indirect))).radiance;
     return light;
 }
 
 } // namespace
+
+RadianceEstimateOptions globalOptions(const World& world, std::uint32_t kinds) {
+    const PhotonMapSettings& settings = world.render.photonMap;
+    return {.nearest = settings.nearest,
+            .radius = world.globalRadius,
+            .kinds = kinds,
+            .maxDepth = world.render.maxDepth,
+            .filter = settings.filter,
+            .coneConstant = settings.coneConstant};
+}
+
+RadianceEstimateOptions causticOptions(const World& world) {
+    const PhotonMapSettings& settings = world.render.photonMap;
+    return {.nearest = settings.causticNearest,
+            .radius = world.causticRadius,
+            .kinds = kindBit(PhotonKind::Caustic),
+            .maxDepth = world.render.maxDepth,
+            .filter = settings.causticFilter,
+            .coneConstant = settings.coneConstant,
+            .maxChange = settings.differentialChecking ? 0.5 : 0};
+}
 
 LightComponents& LightComponents::operator+=(const LightComponents& other) {
     emitted += other.emitted;
@@ -198,8 +179,7 @@ PhotonMaps buildPhotonMaps(const World& world) {
     return maps;
 }
 
-LightComponents photonMapRadiance(const World& world, const PhotonMaps& maps, std::uint32_t pixel,
-                                  std::uint32_t pass) {
+LightComponents photonMapRadiance(const World& world, const PhotonMaps& maps, std::uint32_t pixel, std::uint32_t pass) {
     LightComponents light;
     followPath(world, generateCameraRay(world, pixel, pass), beginCameraPath(world, pixel, pass), 1, pass,
                [&](const Shading& shading) {
@@ -212,23 +192,6 @@ LightComponents photonMapRadiance(const World& world, const PhotonMaps& maps, st
                    }
                });
     return light;
-}
-
-LayeredImage renderPhotonMap(const World& world, const RenderOptions& options) {
-    const PhotonMaps maps = buildPhotonMaps(world);
-    const std::uint32_t width = world.camera.width;
-    const std::uint32_t height = world.camera.height;
-    LayeredFilm film(width, height, {{"emitted"}, {"direct"}, {"caustic"}, {"indirect"}});
-    for (std::uint32_t pass = 0; pass < world.render.passes; ++pass) {
-        film.addPass([&](std::uint32_t pixel) {
-            const LightComponents light = photonMapRadiance(world, maps, pixel, pass);
-            return std::array{light.emitted, light.direct, light.caustic, light.indirect};
-        });
-        if (options.afterPass && !options.afterPass(pass + 1)) {
-            break;
-        }
-    }
-    return film.mean();
 }
 
 } // namespace hyalite::reference

@@ -2,9 +2,9 @@
 // the maps what they do not compute themselves.
 #pragma once
 
-#include "image/layered_image.h"
 #include "reference/photon_map.h"
-#include "reference/render.h"
+#include "reference/radiance_estimate.h"
+#include "reference/shading.h"
 #include "reference/world.h"
 
 #include <cstdint>
@@ -34,6 +34,26 @@ struct PhotonMaps {
 [[nodiscard]] LightComponents photonMapRadiance(const World& world, const PhotonMaps& maps, std::uint32_t pixel,
                                                 std::uint32_t pass);
 
-[[nodiscard]] LayeredImage renderPhotonMap(const World& world, const RenderOptions& options);
+// The kinds of photons that bring light.
+inline constexpr std::uint32_t kGlobalKinds =
+    kindBit(PhotonKind::Direct) | kindBit(PhotonKind::Indirect) | kindBit(PhotonKind::Caustic);
+
+// How the settings ask for estimates from the global and the caustic map.
+[[nodiscard]] RadianceEstimateOptions globalOptions(const World& world, std::uint32_t kinds);
+[[nodiscard]] RadianceEstimateOptions causticOptions(const World& world);
+
+// Follows a path through mirrors and glass to the first diffuse surface and sums what `visit` says of it.
+template <class Visit>
+void followPath(const World& world, const Ray& ray, const CameraPath& path, std::uint32_t depth, std::uint32_t index,
+                const Visit& visit) {
+    const std::optional<Hit> hit = traceClosest(world, ray);
+    const Shading shading = hit ? shadeSurface(world, ray, *hit, path, depth, index) : shadeMiss(world, ray, path);
+    visit(shading);
+    for (const std::optional<NextRay>& next : shading.next) {
+        if (next) {
+            followPath(world, next->ray, next->path, depth + 1, index, visit);
+        }
+    }
+}
 
 } // namespace hyalite::reference

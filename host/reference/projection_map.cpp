@@ -1,5 +1,5 @@
-// A mixture of the targets' cones, or discs, each weighted by its size: its density at a ray is the sum over the targets
-// that the ray is in, divided by the sum of all sizes.
+// A mixture of the targets' cones, or discs, each weighted by its size: its density at a ray is the sum over the
+// targets that the ray is in, divided by the sum of all sizes.
 #include "reference/projection_map.h"
 
 #include "reference/photons.h"
@@ -128,9 +128,8 @@ Aimed aimAcross(const World& world, const Light& light, LightRay ray, double cho
         const glm::dvec3 q = discs[chosen].center + at.x * basis.tangent + at.y * basis.bitangent;
         ray.origin = q - glm::dot(q - ray.origin, ray.direction) * ray.direction;
     }
-    const double w =
-        weight(discs, originDensity(light, ray.origin, ray.direction),
-               [&](std::size_t i) { return i == chosen || discs[i].contains(ray.origin, ray.direction); });
+    const double w = weight(discs, originDensity(light, ray.origin, ray.direction),
+                            [&](std::size_t i) { return i == chosen || discs[i].contains(ray.origin, ray.direction); });
     return {.ray = {.origin = ray.origin, .direction = ray.direction}, .power = rayPower(light, ray.direction) * w};
 }
 

@@ -2,7 +2,7 @@
 #include "reference/render.h"
 
 #include "reference/path.h"
-#include "reference/photon_mapping.h"
+#include "reference/photon_views.h"
 #include "reference/ppm.h"
 #include "reference/whitted.h"
 

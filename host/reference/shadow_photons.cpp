@@ -39,8 +39,7 @@ void castPhoton(const World& world, Ray ray, std::uint32_t photon, std::uint32_t
 } // namespace
 
 std::vector<Photon> castShadowPhotons(const World& world, std::uint32_t pass) {
-    const PhotonPass photonPass{.sequence =
-                                    shared::photonSequence(world.render.seed, shared::kShadowPhotons, pass),
+    const PhotonPass photonPass{.sequence = shared::photonSequence(world.render.seed, shared::kShadowPhotons, pass),
                                 .count = world.render.photons};
     constexpr std::size_t kBlock = 1024;
     std::vector<std::vector<Photon>> blocks((photonPass.count + kBlock - 1) / kBlock);
@@ -54,9 +53,10 @@ std::vector<Photon> castShadowPhotons(const World& world, std::uint32_t pass) {
     return joined(blocks);
 }
 
-Visibility classifyVisibility(const PhotonMap& map, const VisiblePoint& x, std::uint32_t lights,
-                              std::uint32_t agreeing, double radius) {
-    const std::uint32_t nearest = std::min(agreeing * std::min(lights, shared::kMostClassifiedLights), shared::kMaxNearest);
+Visibility classifyVisibility(const PhotonMap& map, const VisiblePoint& x, std::uint32_t lights, std::uint32_t agreeing,
+                              double radius) {
+    const std::uint32_t nearest =
+        std::min(agreeing * std::min(lights, shared::kMostClassifiedLights), shared::kMaxNearest);
     std::array<std::uint32_t, shared::kMostClassifiedLights> direct{};
     std::array<std::uint32_t, shared::kMostClassifiedLights> shadow{};
     const auto sameSide = [&](const Photon& photon) {

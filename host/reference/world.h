@@ -23,9 +23,9 @@ using Geometry = std::variant<Solid, Quad, Disk, CsgTree>;
 struct World {
     CameraFrame camera;
     RenderSettings render;
-    double initialRadius = 0; // ppm: search radius of pass 0 [m]
-    double globalRadius = 0;  // photonmap: photons of an estimate lie no farther [m]
-    double causticRadius = 0; // photonmap: those of caustics [m]
+    double initialRadius = 0;            // ppm: search radius of pass 0 [m]
+    double globalRadius = 0;             // photonmap: photons of an estimate lie no farther [m]
+    double causticRadius = 0;            // photonmap: those of caustics [m]
     std::vector<BoundingSphere> targets; // photonmap: what caustic photons are aimed at
     std::vector<Texture> textures;
     std::vector<Material> materials;

@@ -84,8 +84,8 @@ std::vector<shared::Photon> PhotonMaps::castShadows() {
 void PhotonMaps::build() {
     const bool records = settings_.gatherRays > 0 && settings_.precomputedIrradiance;
     // Records of irradiance are at most as many as the photons of the global map
-    table_ = {device_.context,
-              lists_.global.size() * (records ? 2 : 1) + lists_.caustic.size() + lists_.shadow.size(), "photon table"};
+    table_ = {device_.context, lists_.global.size() * (records ? 2 : 1) + lists_.caustic.size() + lists_.shadow.size(),
+              "photon table"};
     device_.tables.set(TABLE_PHOTONS, table_.buffer(), gpu::TexelFormat::Float4);
     std::uint32_t base = sortInto(caustic_, upload(device_, lists_.caustic), 0, causticRadius_);
     base = sortInto(shadow_, upload(device_, lists_.shadow), base, causticRadius_);
@@ -109,11 +109,11 @@ gpu::Array<shared::Photon> PhotonMaps::computeIrradiance(const gpu::Array<shared
     const gpu::Array<glm::vec3> irradiance(device_.context, count, "irradiance");
     const gpu::Array<float> radii(device_.context, count, "radii of estimates");
     gpu::Array<shared::Photon> records(device_.context, count, "records of irradiance");
-    device_.commands.run(device_.kernel("begin_irradiance"), shared::BeginIrradianceArguments{photons, points, count},
-                         count);
+    const gpu::Kernel beginIrradiance = device_.kernel("begin_irradiance");
+    const gpu::Kernel storeIrradiance = device_.kernel("store_irradiance");
+    device_.commands.run(beginIrradiance, shared::BeginIrradianceArguments{photons, points, count}, count);
     estimateGlobal(points, kAllLight, irradiance, radii);
-    device_.commands.run(device_.kernel("store_irradiance"),
-                         shared::StoreIrradianceArguments{photons, irradiance, records, count}, count);
+    device_.commands.run(storeIrradiance, shared::StoreIrradianceArguments{photons, irradiance, records, count}, count);
     device_.commands.finish();
     return records;
 }
@@ -166,10 +166,10 @@ void PhotonMaps::splat(const gpu::Array<shared::uint>& counts) const {
     const gpu::Kernel kernel = device_.kernel("splat_photons", deviceScene_.specialization);
     for (const auto* list : {&lists_.global, &lists_.caustic, &lists_.shadow}) {
         const gpu::Array<shared::Photon> photons = upload(device_, *list);
-        device_.commands.run(kernel,
-                             shared::SplatPhotonsArguments{photons, counts, deviceScene_.camera, countOf(*list),
-                                                           deviceScene_.rootNode},
-                             countOf(*list));
+        device_.commands.run(
+            kernel,
+            shared::SplatPhotonsArguments{photons, counts, deviceScene_.camera, countOf(*list), deviceScene_.rootNode},
+            countOf(*list));
         device_.commands.finish();
     }
 }

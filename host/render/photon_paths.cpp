@@ -7,7 +7,8 @@
 namespace hyalite::render {
 
 PhotonPaths::PhotonPaths(Device& device, const Scene& scene, const DeviceScene& deviceScene, std::uint32_t capacity)
-    : device_(device), scene_(scene), deviceScene_(deviceScene), emitPhotons_(device.kernel("emit_photons")), emitCausticPhotons_(device.kernel("emit_caustic_photons")),
+    : device_(device), scene_(scene), deviceScene_(deviceScene), emitPhotons_(device.kernel("emit_photons")),
+      emitCausticPhotons_(device.kernel("emit_caustic_photons")),
       traceClosest_(device.kernel("trace_closest", deviceScene.specialization)),
       scatterPhoton_(device.kernel("scatter_photon", deviceScene.specialization)),
       compactPhotonPaths_(device.kernel("compact_photon_paths")), prefixSum_(device), queue_(device.context, capacity) {
@@ -30,10 +31,10 @@ std::uint32_t PhotonPaths::trace(const PhotonPass& pass) {
                      shared::TraceClosestArguments{queue.rays, queue.hits, queue.count, deviceScene_.rootNode},
                      queue.count);
         commands.run(scatterPhoton_,
-                     shared::ScatterPhotonArguments{
-                         queue.rays, queue.hits, queue.paths, deviceScene_.materials, deviceScene_.normals,
-                         deviceScene_.instances, photons_, fates_, queue.nextRays, queue.nextPaths,
-                         queue.alive, queue.count, slots, depth, maxDepth, pass.sequence, pass.kinds, pass.account ? 1U : 0U},
+                     shared::ScatterPhotonArguments{queue.rays, queue.hits, queue.paths, deviceScene_.materials,
+                                                    deviceScene_.normals, deviceScene_.instances, photons_, fates_,
+                                                    queue.nextRays, queue.nextPaths, queue.alive, queue.count, slots,
+                                                    depth, maxDepth, pass.sequence, pass.kinds, pass.account ? 1U : 0U},
                      queue.count);
         raysTraced_ += queue.count;
         slots += depth >= firstStored ? queue.count : 0;

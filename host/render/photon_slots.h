@@ -3,6 +3,7 @@
 
 #include "render/device.h"
 
+#include "shaders/shared/limits.h"
 #include "shaders/shared/path_records.h"
 
 namespace hyalite::render {

@@ -19,7 +19,7 @@ using shared::uint;
 
 constexpr uint kDigitBits = 8;
 
-// Subtrees of at most so many photons are finished by one thread each: measured, see docs/photon-mapping.md.
+// Subtrees of at most so many photons are finished by one thread each: 512 and 2048 measure alike.
 constexpr uint kSubtreeSize = 512;
 
 uint chunksOf(uint count, uint chunk) {

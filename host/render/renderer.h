@@ -22,8 +22,8 @@ struct RenderOptions {
     bool profile = false; // time every stage
     double timeLimit = 0; // start no pass that would probably end later than this [s]; 0: no limit
     std::function<void(const Progress&)> onPass; // after every pass
-    std::filesystem::path savePhotons; // photonmap: write the photon maps here; empty: do not
-    std::filesystem::path loadPhotons; // photonmap: read them from here instead of tracing them
+    std::filesystem::path savePhotons;           // photonmap: write the photon maps here; empty: do not
+    std::filesystem::path loadPhotons;           // photonmap: read them from here instead of tracing them
 };
 
 struct RenderResult {

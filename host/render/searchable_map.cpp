@@ -29,7 +29,7 @@ shared::PhotonMapRecord SearchableMap::record() const {
     if (const auto* grid = std::get_if<PhotonGrid>(&structure_)) {
         return grid->map();
     }
-    return std::get<PhotonTree>(structure_).record();
+    return std::get<PhotonTree>(structure_).map();
 }
 
 } // namespace hyalite::render

@@ -9,7 +9,8 @@ ShadowPhotonPaths::ShadowPhotonPaths(Device& device, const Scene& scene, const D
     : device_(device), scene_(scene), deviceScene_(deviceScene), emitPhotons_(device.kernel("emit_photons")),
       traceClosest_(device.kernel("trace_closest", deviceScene.specialization)),
       castShadowPhotons_(device.kernel("cast_shadow_photons", deviceScene.specialization)),
-      compactPhotonPaths_(device.kernel("compact_photon_paths")), prefixSum_(device), queue_(device.context, capacity) {}
+      compactPhotonPaths_(device.kernel("compact_photon_paths")), prefixSum_(device), queue_(device.context, capacity) {
+}
 
 std::uint32_t ShadowPhotonPaths::cast(std::uint32_t count) {
     gpu::Commands& commands = device_.commands;
@@ -17,9 +18,9 @@ std::uint32_t ShadowPhotonPaths::cast(std::uint32_t count) {
     std::uint32_t slots = 0;
     queue.count = count;
     commands.run(emitPhotons_,
-                 shared::EmitPhotonsArguments{
-                     deviceScene_.lights, queue.rays, queue.paths, queue.count, deviceScene_.lightCount,
-                     shared::photonSequence(scene_.render.seed, shared::kShadowPhotons, 0)},
+                 shared::EmitPhotonsArguments{deviceScene_.lights, queue.rays, queue.paths, queue.count,
+                                              deviceScene_.lightCount,
+                                              shared::photonSequence(scene_.render.seed, shared::kShadowPhotons, 0)},
                  queue.count);
     for (std::uint32_t depth = 1; queue.count > 0 && depth <= shared::kMaxDepth; ++depth) {
         reservePhotonSlots(device_, photons_, slots + queue.count);

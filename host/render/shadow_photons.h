@@ -1,4 +1,5 @@
-// Shadow photons: followed straight on through everything, so that a place can tell which lights it sees [JensenChristensen95].
+// Shadow photons: followed straight on through everything, so that a place can tell which lights it sees
+// [JensenChristensen95].
 #pragma once
 
 #include "render/device_scene.h"

@@ -43,8 +43,8 @@ struct LightSphere {
 // Search radius of the first pass [m]: render.radius or, where that is 0, 1/100 of sceneRadius.
 [[nodiscard]] double initialRadius(const Scene& scene);
 
-// photonmap: how far from a point the photons of an estimate may lie [m]: render.radius and its caustic_radius or, where
-// these are 0, 1/8 and 1/25 of sceneRadius.
+// photonmap: how far from a point the photons of an estimate may lie [m]: render.radius and its caustic_radius or,
+// where these are 0, 1/8 and 1/25 of sceneRadius.
 [[nodiscard]] double globalSearchRadius(const Scene& scene);
 [[nodiscard]] double causticSearchRadius(const Scene& scene);
 

@@ -38,16 +38,16 @@ struct PhotonMapSettings {
     std::uint32_t causticPhotons = 100000; // aimed at mirrors and glass, besides RenderSettings::photons; 0: none
     bool projectionMap = true;             // aim them; false: emit them like the others
     PhotonStructure structure = PhotonStructure::Tree;
-    std::uint32_t nearest = 100;        // photons of one estimate from the global map
-    std::uint32_t causticNearest = 60;  // and from the caustic map
-    double causticRadius = 0;           // they lie no farther than this [m]; 0: 1/25 of the radius of the scene's sphere
+    std::uint32_t nearest = 100;       // photons of one estimate from the global map
+    std::uint32_t causticNearest = 60; // and from the caustic map
+    double causticRadius = 0;          // they lie no farther than this [m]; 0: 1/25 of the radius of the scene's sphere
     PhotonFilter filter = PhotonFilter::None;
     PhotonFilter causticFilter = PhotonFilter::Cone;
-    double coneConstant = 1.1;          // k of the cone filter, >= 1
-    bool differentialChecking = false;  // stop an estimate from the caustic map where it would blur an edge
-    std::uint32_t gatherRays = 1;       // of final gathering, per sample; 0: indirect light straight from the global map
-    bool precomputedIrradiance = true;  // final gathering looks up irradiance computed at the photons beforehand
-    std::uint32_t shadowPhotons = 0;    // so many that agree replace a shadow ray; 0: all shadow rays are traced
+    double coneConstant = 1.1;         // k of the cone filter, >= 1
+    bool differentialChecking = false; // stop an estimate from the caustic map where it would blur an edge
+    std::uint32_t gatherRays = 1;      // of final gathering, per sample; 0: indirect light straight from the global map
+    bool precomputedIrradiance = true; // final gathering looks up irradiance computed at the photons beforehand
+    std::uint32_t shadowPhotons = 0;   // so many that agree replace a shadow ray; 0: all shadow rays are traced
     PhotonView view = PhotonView::Picture;
 };
 

@@ -396,10 +396,10 @@ struct ClassifyVisibilityArguments {
 struct SkipShadowRaysArguments {
     UintArray lit;
     UintArray shadowed;
-    RayArray shadowRays;      // in and out; tMax = 0: nothing to trace
+    RayArray shadowRays; // in and out; tMax = 0: nothing to trace
     ColorArray contributions;
-    ColorArray direct;        // in and out
-    UintArray counts;         // in and out: rays spared, rays left
+    ColorArray direct; // in and out
+    UintArray counts;  // in and out: rays spared, rays left
     uint light;
     uint count;
 };

@@ -151,11 +151,10 @@ Refraction through(double h) {
 
 std::vector<shared::Photon> causticPhotons(BothSides& both, std::uint32_t count) {
     render::PhotonPaths paths(both.device, both.scene, both.deviceScene, count);
-    const std::uint32_t slots =
-        paths.trace({.sequence = shared::photonSequence(1, shared::kCausticPhotons, 0),
-                     .count = count,
-                     .kinds = 1U << shared::kPhotonCaustic,
-                     .aimed = true});
+    const std::uint32_t slots = paths.trace({.sequence = shared::photonSequence(1, shared::kCausticPhotons, 0),
+                                             .count = count,
+                                             .kinds = 1U << shared::kPhotonCaustic,
+                                             .aimed = true});
     both.device.commands.finish();
     return render::storedPhotons(paths.photons(), slots);
 }
@@ -173,7 +172,8 @@ TEST_CASE("a glass ball gathers a parallel beam at its focal length, with the fl
         double spread = 0; // mean square distance from the axis, weighted by flux
         for (const shared::Photon& photon : photons) {
             flux += photon.power.x;
-            spread += double{photon.power.x} * (photon.position.x * photon.position.x + photon.position.z * photon.position.z);
+            spread += double{photon.power.x} *
+                      (photon.position.x * photon.position.x + photon.position.z * photon.position.z);
         }
         // By rings of the beam: E 2 pi h dh of flux; at the floor (focus - |floor|) tan(deviation) off the axis
         double expectedFlux = 0;

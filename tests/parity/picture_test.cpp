@@ -1,38 +1,11 @@
 // Pictures of both integrators, device against reference, at equal seed and passes.
-#include "image/image_io.h"
-#include "image/metrics.h"
 #include "kernel/kernel_support.h"
-#include "reference/render.h"
-#include "render/renderer.h"
+#include "parity/compare_pictures.h"
 #include "scene/load_scene.h"
 
 #include <filesystem>
 
 namespace hyalite::testing {
-
-namespace {
-
-Image onDevice(const Scene& scene) {
-    return render::render(Gpu::shared().context(), Gpu::shared().compiler(), scene, {}).image.picture;
-}
-
-// Where the pictures differ more than asked, all three are left in the working folder.
-void comparePictures(const std::string& name, const Scene& scene, double share) {
-    const Image device = onDevice(scene);
-    const Image expected = reference::render(scene).picture;
-    const Crop all = wholeOf(expected);
-    REQUIRE(countNotFinite(device) == 0);
-    const double within = shareWithin(device, expected, 0.01, all);
-    if (within < share) {
-        writeImage(name + "-device.exr", device, {});
-        writeImage(name + "-reference.exr", expected, {});
-    }
-    INFO(name << ": share within 1 % " << within << ", relMSE " << relMse(device, expected, all));
-    CHECK(within >= share);
-    CHECK(relMse(device, expected, all) < 1e-3);
-}
-
-} // namespace
 
 TEST_CASE("whitted gives the reference's picture of mirror, glass and a square light") {
     Scene scene = reference::test::cornellBox();

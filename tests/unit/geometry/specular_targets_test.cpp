@@ -3,6 +3,7 @@
 
 #include "unit/reference/support.h"
 
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -11,8 +12,8 @@ namespace hyalite::reference::test {
 namespace {
 
 bool holds(const std::vector<BoundingSphere>& spheres, const dvec3& point) {
-    return std::ranges::any_of(
-        spheres, [&](const BoundingSphere& s) { return glm::length(point - s.center) <= s.radius; });
+    return std::ranges::any_of(spheres,
+                               [&](const BoundingSphere& s) { return glm::length(point - s.center) <= s.radius; });
 }
 
 } // namespace

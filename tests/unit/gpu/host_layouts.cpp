@@ -44,6 +44,7 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(Photon, position, direction, power, surface);
     HOST_LAYOUT(PhotonFate, stored, absorbed, escaped, cutOff);
     HOST_LAYOUT(GridRecord, inverseCellSize, bucketMask);
+    HOST_LAYOUT(PhotonMapRecord, order, cellStarts, grid.inverseCellSize, grid.bucketMask, base, count);
     HOST_LAYOUT(GenerateCameraRaysArguments, rays, paths, camera.position, camera.forward, camera.right, camera.up,
                 camera.width, camera.height, camera.lensRadius, camera.focusDistance, count, seed, pass);
     HOST_LAYOUT(TraceClosestArguments, rays, hits, count, rootNode);
@@ -87,8 +88,8 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(ResolveFilmArguments, film, image, count, scale);
     HOST_LAYOUT(TargetRecord, center, radius);
     HOST_LAYOUT(EmitCausticPhotonsArguments, lights, targets, rays, paths, count, lightCount, targetCount, sequence);
-    HOST_LAYOUT(CastShadowPhotonsArguments, rays, hits, paths, materials, normals, instances, photons, nextRays, nextPaths,
-                alive, count, firstPhoton);
+    HOST_LAYOUT(CastShadowPhotonsArguments, rays, hits, paths, materials, normals, instances, photons, nextRays,
+                nextPaths, alive, count, firstPhoton);
     HOST_LAYOUT(StartGatherRaysArguments, visiblePoints, rays, paths, alive, count, index);
     HOST_LAYOUT(BeginIrradianceArguments, photons, visiblePoints, count);
     HOST_LAYOUT(StoreIrradianceArguments, photons, irradiance, records, count);
