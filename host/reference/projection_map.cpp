@@ -15,7 +15,7 @@ namespace {
 
 using std::numbers::pi;
 
-// From a point of a light: the directions that meet a sphere.
+// From a point of a light: the directions that meet a sphere or, where these are as many, all that it shines into.
 struct Cone {
     glm::dvec3 axis{0}; // unit
     double cosine = -1; // of the half-angle
@@ -25,14 +25,24 @@ struct Cone {
     [[nodiscard]] bool contains(const glm::dvec3& direction) const { return glm::dot(direction, axis) >= cosine; }
 };
 
-Cone coneAround(const BoundingSphere& target, const glm::dvec3& point) {
+// Of the cone that the light shines into.
+double ownCosine(const Light& light) {
+    if (const auto* spot = std::get_if<SpotLight>(&light.shape)) {
+        return std::cos(glm::radians(spot->angle));
+    }
+    return std::holds_alternative<AreaLight>(light.shape) ? 0 : -1;
+}
+
+Cone coneAround(const BoundingSphere& target, const Light& light, const glm::dvec3& point) {
     const glm::dvec3 way = target.center - point;
     const double distance = glm::length(way);
-    if (!(target.radius * 1.0001 < distance)) { // the point is inside, or so near that the cone is half of space
-        return {.everything = true};
-    }
     const double sine = target.radius / distance;
-    return {.axis = way / distance, .cosine = std::sqrt(1 - sine * sine)};
+    const double cosine = std::sqrt(std::max(0.0, 1 - sine * sine));
+    // From a point inside the sphere, or almost, it is all around
+    if (!(target.radius * 1.0001 < distance) || !(cosine > ownCosine(light))) {
+        return {.cosine = ownCosine(light), .everything = true};
+    }
+    return {.axis = way / distance, .cosine = cosine};
 }
 
 glm::dvec3 directionIn(const Cone& cone, glm::dvec2 uv) {
@@ -100,7 +110,7 @@ struct Aimed {
 Aimed aimFromPoint(const World& world, const Light& light, LightRay ray, double choice, glm::dvec2 uDirection) {
     std::vector<Cone> cones;
     for (const BoundingSphere& target : world.targets) {
-        cones.push_back(coneAround(target, ray.origin));
+        cones.push_back(coneAround(target, light, ray.origin));
     }
     const std::size_t chosen = choosePart(cones, totalSize(cones), choice);
     if (!cones[chosen].everything) {
@@ -114,11 +124,11 @@ Aimed aimFromPoint(const World& world, const Light& light, LightRay ray, double 
 Aimed aimAcross(const World& world, const Light& light, LightRay ray, double choice, glm::dvec2 uOrigin) {
     std::vector<Disc> discs;
     for (const BoundingSphere& target : world.targets) {
-        if (std::isinf(target.radius)) {
+        const double area = pi * target.radius * target.radius;
+        if (area * ray.pdfOrigin >= 1) { // as wide as the light's own disc
             discs.push_back({.area = 1 / ray.pdfOrigin, .everything = true});
         } else {
-            discs.push_back(
-                {.center = target.center, .radius = target.radius, .area = pi * target.radius * target.radius});
+            discs.push_back({.center = target.center, .radius = target.radius, .area = area});
         }
     }
     const std::size_t chosen = choosePart(discs, totalSize(discs), choice);

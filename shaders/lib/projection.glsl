@@ -6,7 +6,7 @@
 #define HYALITE_PROJECTION_GLSL
 #include "lib/light.glsl"
 
-// A sphere fills the view from a point inside it, or this close to it [radii].
+// A sphere fills the view from a point inside it, or so close to it [radii].
 const float kCloseToTarget = 1.0001;
 
 // What a sphere is from a point or along a direction.
@@ -14,22 +14,28 @@ struct Aim {
     vec3 axis;     // unit, from the point to the centre; or the centre, across parallel light [m]
     float size;    // solid angle [sr], or area of the disc [m^2]
     float extent;  // 1 - cosine of the cone's half-angle; or squared radius of the disc [m^2]
-    bool anywhere; // it may be met in any direction, from any origin: the light's own choice does for it
+    bool anywhere; // it is as wide as all that the light shines into: the light's own choice does for it
 };
 
-Aim aimFromPoint(TargetRecord target, vec3 point) {
+// 1 - cosine of the cone that a light at a point shines into.
+float ownExtent(LightRecord light) {
+    return light.type == kLightSpot ? light.cone.y : (isSurface(light.type) ? 1.0 : 2.0);
+}
+
+Aim aimFromPoint(TargetRecord target, LightRecord light, vec3 point) {
     vec3 way = target.center - point;
     float distance2 = dot(way, way);
     float sine2 = target.radius * target.radius / distance2;
-    if (!(sine2 * kCloseToTarget * kCloseToTarget < 1.0)) {
-        return Aim(vec3(0.0), 4.0 * kPi, 2.0, true);
+    float extent = sine2 / (1.0 + sqrt(max(0.0, 1.0 - sine2))); // 1 - cosine, with all its digits in narrow cones
+    float own = ownExtent(light);
+    if (!(sine2 * kCloseToTarget * kCloseToTarget < 1.0 && extent < own)) {
+        return Aim(vec3(0.0), 2.0 * kPi * own, own, true);
     }
-    float extent = sine2 / (1.0 + sqrt(1.0 - sine2)); // 1 - cosine, with all its digits in narrow cones
     return Aim(way / sqrt(distance2), 2.0 * kPi * extent, extent, false);
 }
 
 Aim aimAlong(TargetRecord target, LightRecord light) {
-    if (target.radius >= kInfinity) {
+    if (target.radius >= light.radius) {
         return Aim(vec3(0.0), light.area, 0.0, true);
     }
     float radius2 = target.radius * target.radius;
@@ -40,7 +46,7 @@ Aim aimAt(TargetRecord target, LightRecord light, bool parallel, vec3 point) {
     if (parallel) {
         return aimAlong(target, light);
     }
-    return aimFromPoint(target, point);
+    return aimFromPoint(target, light, point);
 }
 
 // The part of the sum of sizes that a choice in [0, 1) falls into.

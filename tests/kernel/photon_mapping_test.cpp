@@ -161,7 +161,7 @@ TEST_CASE("shadow photons fall where the reference's fall") {
     }
     CHECK(100 * alike >= 99 * expected.size());
     CHECK(direct > 1000);
-    CHECK(alike - direct > 1000);
+    CHECK(alike - direct > 200); // behind the spheres and the lamps
 }
 
 TEST_CASE("a gathering ray leaves with the numbers and the weight of the reference's, never into the surface") {
