@@ -61,7 +61,7 @@ TEST_CASE("a pane of absorbing glass transmits (1 - F)^2 a / (1 - F^2 a^2)") {
     Scene scene = reference::test::onePixel({0, 0, 3}, {0, 0, 0}, Integrator::Whitted);
     scene.render.maxDepth = 30;
     scene.render.minWeight = 0;
-    const std::size_t glass = reference::test::addMaterial(scene, Dielectric{n, sigma});
+    const std::size_t glass = reference::test::addMaterial(scene, Dielectric{n, 0, sigma});
     reference::test::addObject(scene, Quad{{-1, -1, d / 2}, {2, 0, 0}, {0, 2, 0}}, glass);
     reference::test::addObject(scene, Quad{{-1, -1, -d / 2}, {0, 2, 0}, {2, 0, 0}}, glass);
     reference::test::addObject(scene, Quad{{-1, -1, -3}, {2, 0, 0}, {0, 2, 0}}, std::nullopt, dvec3(1));

@@ -1,5 +1,5 @@
 // Absorption in glass on the device against the reference: along camera paths and along photons' paths.
-#include "kernel/kernel_support.h"
+#include "kernel/bounce.h"
 #include "reference/photons.h"
 #include "reference/shading.h"
 
@@ -16,7 +16,7 @@ std::uint32_t mediumOf(std::size_t i) {
 
 Scene absorbingBox() {
     Scene scene = reference::test::cornellBox();
-    scene.materials[kGlass].model = Dielectric{1.5, {0.3, 1, 40}};
+    scene.materials[kGlass].model = Dielectric{1.5, 0, {0.3, 1, 40}};
     scene.render.maxDepth = 6;
     return scene;
 }
@@ -58,17 +58,7 @@ TEST_CASE("camera paths lose in glass what the reference says, enter it at its f
     for (std::uint32_t i = 0; i < count; ++i) {
         paths.push_back({vec3(0.5, 0.25, 1), i, i, mediumOf(i), 0});
     }
-    const auto devicePaths = both.upload(paths);
-    const auto visible = both.room<shared::VisiblePoint>(count);
-    const auto emitted = both.room<vec3>(count);
-    const auto nextRays = both.room<shared::Ray>(2 * count);
-    const auto nextPaths = both.room<shared::CameraPath>(2 * count);
-    const auto alive = both.room<shared::uint>(2 * count);
-    const auto& d = both.deviceScene;
-    both.run("shade_surface",
-             shared::ShadeSurfaceArguments{b.device, b.hits, devicePaths, d.materials, d.lights, d.normals, d.instances,
-                                           visible, emitted, nextRays, nextPaths, alive, count, 1, 7, 0, 1, 0},
-             count);
+    const Bounce bounce = shade(both, b.rays, paths, 1, 0, 1);
     std::size_t inGlass = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
         const reference::Ray ray = toReference(b.rays[i]);
@@ -78,15 +68,15 @@ TEST_CASE("camera paths lose in glass what the reference says, enter it at its f
         }
         const reference::CameraPath path{dvec3(paths[i].beta), i, materialOf(both, mediumOf(i))};
         const auto expected = reference::shadeSurface(both.world, ray, *hit, path, 1, 0);
-        CHECK(distance(emitted.host()[i], expected.emitted) < 1e-5);
+        CHECK(distance(bounce.emitted.host()[i], expected.emitted) < 1e-5);
         if (expected.visible) {
             // t is right to a few 1e-7, a coefficient of 40/m makes 1e-5 of it, of f below 0.1
-            CHECK(distance(visible.host()[i].f, expected.visible->f) < 2e-6);
+            CHECK(distance(bounce.visible.host()[i].f, expected.visible->f) < 2e-6);
         }
         for (std::size_t way = 0; way < 2; ++way) {
             const auto& next = expected.next[way];
-            if (next && alive.host()[2 * i + way] != 0) {
-                const shared::CameraPath& actual = nextPaths.host()[2 * i + way];
+            if (next && bounce.alive.host()[2 * i + way] != 0) {
+                const shared::CameraPath& actual = bounce.nextPaths.host()[2 * i + way];
                 CHECK(materialOf(both, actual.medium) == next->path.medium);
                 const dvec3 normal = reference::evaluateSurface(both.world, ray, *hit).normal;
                 const double condition = conditioning(ray.direction, next->ray.direction, normal);
@@ -104,7 +94,7 @@ TEST_CASE("the kernels' exponential is right to a few roundings wherever it is a
     // distance and its product with the coefficient are exact, e^-t alone is not. The series is right to 6e-9, and
     // about four roundings of up to 2^-24 each follow: 2.5e-7.
     Scene scene = reference::test::cornellBox();
-    scene.materials[kGlass].model = Dielectric{1.5, dvec3(1)};
+    scene.materials[kGlass].model = Dielectric{1.5, 0, dvec3(1)};
     scene.objects.clear();
     reference::test::addObject(scene, Quad{{-1, -1, 0}, {2, 0, 0}, {0, 2, 0}}, std::nullopt, dvec3(1));
     BothSides both(scene);
@@ -113,25 +103,12 @@ TEST_CASE("the kernels' exponential is right to a few roundings wherever it is a
     for (std::uint32_t i = 0; i < count; ++i) {
         rays.push_back({vec3(0, 0, static_cast<float>(i + 1) / 8), 3e38F, vec3(0, 0, -1), 0});
     }
-    const auto device = both.upload(rays);
-    const auto paths =
-        both.upload(std::vector<shared::CameraPath>(count, {vec3(1), 0, 0, static_cast<shared::uint>(kGlass), 0}));
-    const auto hits = both.room<shared::Hit>(count);
-    const auto visible = both.room<shared::VisiblePoint>(count);
-    const auto emitted = both.room<vec3>(count);
-    const auto nextRays = both.room<shared::Ray>(2 * count);
-    const auto nextPaths = both.room<shared::CameraPath>(2 * count);
-    const auto alive = both.room<shared::uint>(2 * count);
-    const auto& d = both.deviceScene;
-    both.run("trace_closest", shared::TraceClosestArguments{device, hits, count, d.rootNode}, count);
-    both.run("shade_surface",
-             shared::ShadeSurfaceArguments{device, hits, paths, d.materials, d.lights, d.normals, d.instances, visible,
-                                           emitted, nextRays, nextPaths, alive, count, 1, 7, 0, 1, 0},
-             count);
+    const std::vector<shared::CameraPath> paths(count, {vec3(1), 0, 0, static_cast<shared::uint>(kGlass), 0});
+    const Bounce bounce = shade(both, rays, paths, 1, 0, 1);
     for (std::uint32_t i = 0; i < count; ++i) {
         const double t = (i + 1) / 8.0;
         const double expected = t < 87 ? std::exp(-t) : 0;
-        CHECK(std::abs(double{emitted.host()[i].x} - expected) <= 2.5e-7 * expected);
+        CHECK(std::abs(double{bounce.emitted.host()[i].x} - expected) <= 2.5e-7 * expected);
     }
 }
 

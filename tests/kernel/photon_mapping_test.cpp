@@ -1,5 +1,6 @@
 // The kernels of photon mapping that are its own, against their twins.
 #include "kernel/kernel_support.h"
+#include "reference/materials.h"
 #include "reference/photons.h"
 #include "reference/projection_map.h"
 #include "reference/shadow_photons.h"
@@ -170,8 +171,9 @@ TEST_CASE("a gathering ray leaves with the numbers and the weight of the referen
     const std::uint32_t index = 37;
     std::vector<shared::VisiblePoint> points(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-        points[i] = {random.inCube(1), i % 3, random.direction(), shared::hash(i), vec3(0.3, 0.2, 0.1), i, 5, 0};
+        points[i] = {random.inCube(1), i % 3, random.direction(), shared::hash(i), vec3(0.3, 0.2, 0.1), i, 5, 0, 0};
         points[i].geometricNormal = 0x7fffU | 0x7fffU << 16U; // +z
+        points[i].coat = i % 2 == 0 ? 1.0F : 0.0F;
     }
     const auto devicePoints = both.upload(points);
     const auto rays = both.room<shared::Ray>(count);
@@ -192,7 +194,9 @@ TEST_CASE("a gathering ray leaves with the numbers and the weight of the referen
             ++started;
             CHECK(distance(rays.host()[i].direction, direction) < 2e-6);
             CHECK(rays.host()[i].from == 5);
-            CHECK(distance(paths.host()[i].beta, dvec3(points[i].f) * std::numbers::pi) < 1e-6);
+            const double cosine = glm::dot(direction, dvec3(points[i].normal));
+            const double entering = i % 2 == 0 ? reference::coatTransmission(cosine) : 1;
+            CHECK(distance(paths.host()[i].beta, dvec3(points[i].f) * (std::numbers::pi * entering)) < 1e-5);
             CHECK(paths.host()[i].pixel == i);
         }
     }

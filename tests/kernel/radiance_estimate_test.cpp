@@ -48,7 +48,7 @@ Estimates estimate(BothSides& both, render::PhotonStructure structure, const std
 }
 
 shared::VisiblePoint upwardPoint(const vec3& position) {
-    return {position, 1, vec3(0, 0, 1), 0, vec3(1), 0, 0, kUp16};
+    return {position, 1, vec3(0, 0, 1), 0, vec3(1), 0, 0, kUp16, 0};
 }
 
 dvec3 geometricNormal() {
@@ -99,8 +99,12 @@ TEST_CASE("the radiance estimate is the reference's, from the tree and, bit for 
         }
         p.z = p.y > 0.4 ? 0.02 : 0.0;
         slots.push_back(upwardPhoton(vec3(p), static_cast<float>(random.between(0.5, 1.5))));
+        // From any direction above: octahedral x and y of no more than 1/2 each
+        const glm::uvec2 code = glm::uvec2(0x2000U) + glm::uvec2(glm::dvec2(0x3fff) * glm::dvec2(random.unit(), random.unit()));
+        const glm::dvec2 flat = glm::dvec2(code) / 16383.5 - 1.0;
+        slots.back().direction = code.x | code.y << 15U;
         stored.push_back({.position = slots.back().position,
-                          .direction = {0, 0, 1},
+                          .direction = glm::normalize(dvec3(flat, 1 - std::abs(flat.x) - std::abs(flat.y))),
                           .normal = {0, 0, 1},
                           .power = slots.back().power,
                           .photon = i,
@@ -115,6 +119,7 @@ TEST_CASE("the radiance estimate is the reference's, from the tree and, bit for 
         points.push_back(upwardPoint(vec3(nearSpot ? dvec3(0.3 + 0.2 * p.x, 0.2 * p.y, 0) : dvec3(p.x, p.y, 0))));
         points.back().f = vec3(0.1, 0.2, 0.3);
         points.back().depth = i % 100 == 0 ? 0 : 1;
+        points.back().coat = i % 3 == 0 ? 1.0F : 0.0F;
     }
     const reference::PhotonMap map(stored);
     for (const std::uint32_t nearest : {2U, 50U, 300U}) {
@@ -141,8 +146,9 @@ TEST_CASE("the radiance estimate is the reference's, from the tree and, bit for 
                     CHECK(tree.radii[i] == 0);
                     continue;
                 }
-                const reference::VisiblePoint x{
-                    points[i].position, points[i].position, {0, 0, 1}, geometricNormal(), dvec3(points[i].f), 1, 0};
+                const reference::VisiblePoint x{points[i].position, points[i].position,   {0, 0, 1},
+                                                geometricNormal(),  dvec3(points[i].f),   1,
+                                                0,                  points[i].coat != 0};
                 const auto expected = reference::estimateRadiance(map, x, options);
                 const bool same = std::abs(tree.radii[i] - expected.radius) < 1e-5 * expected.radius &&
                                   distance(tree.radiance[i], expected.radiance) < 1e-4 * expected.radiance.x + 1e-7;

@@ -33,7 +33,7 @@ struct RoughBounce {
             const reference::Ray ray = toReference(rays[i]);
             const auto hit = reference::traceClosest(both.world, ray);
             if (hit && hit->object == both.sceneObject(device->hits.host()[i].object)) {
-                const reference::CameraPath path{dvec3(paths[i].beta), paths[i].samplerSeed, paths[i].pdfW};
+                const reference::CameraPath path{dvec3(paths[i].beta), paths[i].samplerSeed, nullptr, paths[i].pdfW};
                 expected[i] = reference::shadeSurface(both.world, ray, *hit, path, 1, 3);
             }
         }

@@ -1,5 +1,5 @@
 // Textures on every shape that has coordinates, on the device against the reference.
-#include "kernel/kernel_support.h"
+#include "kernel/bounce.h"
 #include "reference/shading.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -67,36 +67,23 @@ TEST_CASE("textured surfaces have the colours of the reference on every shape") 
         rays.push_back(toDevice({.origin = random.inCube(0.95), .direction = random.direction()}));
         paths.push_back({vec3(1), i, i, shared::kNone, 0});
     }
-    const auto deviceRays = both.upload(rays);
-    const auto devicePaths = both.upload(paths);
-    const auto hits = both.room<shared::Hit>(count);
-    const auto visible = both.room<shared::VisiblePoint>(count);
-    const auto emitted = both.room<vec3>(count);
-    const auto nextRays = both.room<shared::Ray>(count);
-    const auto nextPaths = both.room<shared::CameraPath>(count);
-    const auto alive = both.room<shared::uint>(count);
-    const auto& d = both.deviceScene;
-    both.run("trace_closest", shared::TraceClosestArguments{deviceRays, hits, count, d.rootNode}, count);
-    both.run("shade_surface",
-             shared::ShadeSurfaceArguments{deviceRays, hits, devicePaths, d.materials, d.lights, d.normals, d.instances,
-                                           visible, emitted, nextRays, nextPaths, alive, count, 1, 6, 0, 0, 0},
-             count);
+    const Bounce bounce = shade(both, rays, paths, 1, 0, 0);
     std::map<std::uint32_t, std::size_t> compared; // by object
     std::size_t edges = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
         const reference::Ray ray = toReference(rays[i]);
         const auto hit = reference::traceClosest(both.world, ray);
-        if (!hit || hit->object != both.sceneObject(hits.host()[i].object)) {
+        if (!hit || hit->object != both.sceneObject(bounce.hits.host()[i].object)) {
             continue;
         }
         const auto expected = reference::shadeSurface(both.world, ray, *hit, {}, 1, 0);
         double difference = 0;
         if (expected.visible) {
-            REQUIRE(visible.host()[i].depth == 1);
-            difference = distance(visible.host()[i].f, expected.visible->f);
+            REQUIRE(bounce.visible.host()[i].depth == 1);
+            difference = distance(bounce.visible.host()[i].f, expected.visible->f);
         } else if (expected.next[0]) {
-            REQUIRE(alive.host()[i] == 1);
-            difference = distance(nextPaths.host()[i].beta, expected.next[0]->path.beta);
+            REQUIRE(bounce.alive.host()[i] == 1);
+            difference = distance(bounce.nextPaths.host()[i].beta, expected.next[0]->path.beta);
         } else {
             continue;
         }

@@ -34,7 +34,7 @@ TEST_CASE("a pane transmits (1 - F)^2 a / (1 - F^2 a^2), where a is what one pas
     const double n = 1.5;
     const dvec3 sigma(0, 1.5, 6);
     const double F = std::pow((n - 1) / (n + 1), 2);
-    const World world = prepareWorld(pane(d, Dielectric{n, sigma}));
+    const World world = prepareWorld(pane(d, Dielectric{n, 0, sigma}));
     const dvec3 L = whittedRadiance(world, 0, 0);
     for (int channel = 0; channel < 3; ++channel) {
         const double a = std::exp(-sigma[channel] * d);
@@ -45,7 +45,7 @@ TEST_CASE("a pane transmits (1 - F)^2 a / (1 - F^2 a^2), where a is what one pas
 
 TEST_CASE("a photon loses light on its way through glass, and only there") {
     const dvec3 sigma(0.5, 1, 2);
-    const World world = prepareWorld(pane(0.4, Dielectric{1.5, sigma}));
+    const World world = prepareWorld(pane(0.4, Dielectric{1.5, 0, sigma}));
     PhotonPass pass = progressivePass(world, 0);
     PhotonPath path{.power = dvec3(1), .photon = 0, .light = 0, .kind = PhotonKind::Direct, .medium = nullptr};
     // From the light onto the pane, through it, and out: whichever of its random numbers refract it
