@@ -1,6 +1,6 @@
-// One path a sample. At each diffuse or rough surface a shadow ray to one light brings its light. So light that the path
-// then meets by itself counts in full only where no shadow ray could have brought it: after the camera, mirrors and
-// glass. After a diffuse surface it does not count, after a rough one both are weighted [Veach95].
+// One path a sample. At each diffuse or rough surface a shadow ray to one light brings its light. So light that the
+// path then meets by itself counts in full only where no shadow ray could have brought it: after the camera, mirrors
+// and glass. After a diffuse surface it does not count, after a rough one both are weighted [Veach95].
 #include "reference/path.h"
 
 #include "reference/film.h"
@@ -51,8 +51,8 @@ glm::dvec3 pathRadiance(const World& world, std::uint32_t pixel, std::uint32_t p
     bool seesLights = true; // light that the present segment meets counts, with the weight that its density gives it
     for (std::uint32_t depth = 1; depth <= world.render.maxDepth; ++depth) {
         const std::optional<Hit> hit = traceClosest(world, step.ray);
-        const Shading shading = hit ? shadeSurface(world, step.ray, *hit, step.path, depth, pass)
-                                    : shadeMiss(world, step.ray, step.path);
+        const Shading shading =
+            hit ? shadeSurface(world, step.ray, *hit, step.path, depth, pass) : shadeMiss(world, step.ray, step.path);
         if (seesLights) {
             L += shading.emitted;
         }

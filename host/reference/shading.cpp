@@ -46,8 +46,8 @@ void dropLightweights(std::array<std::optional<NextRay>, 2>& next, double minWei
     }
 }
 
-// Weight of the light that a path finds by chance. Where it has left a rough surface, the lights were sampled there too;
-// the normal is the light's where the ray meets it, `distance` away [m].
+// Weight of the light that a path finds by chance. Where it has left a rough surface, the lights were sampled there
+// too; the normal is the light's where the ray meets it, `distance` away [m].
 double emissionWeight(const World& world, const Light& light, const CameraPath& path, const Ray& ray, double distance,
                       const glm::dvec3& normal) {
     if (path.pdfW == 0) {

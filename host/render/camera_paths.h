@@ -27,8 +27,8 @@ public:
     void compact(std::uint32_t slots);
 
     // Follows what the queue holds. Per pixel: where its path ends on a diffuse surface, and the emission on the way
-    // [W/(m^2 sr)]; pixels without a path in the queue are left as they are. To `direct`, if it is not nullptr, is added
-    // what comes straight from the lights to rough surfaces on the way.
+    // [W/(m^2 sr)]; pixels without a path in the queue are left as they are. To `direct`, if it is not nullptr, is
+    // added what comes straight from the lights to rough surfaces on the way.
     RaysTraced follow(std::uint32_t pass, const gpu::Array<shared::VisiblePoint>& visiblePoints,
                       const gpu::Array<glm::vec3>& emitted, const gpu::Array<glm::vec3>* direct);
 

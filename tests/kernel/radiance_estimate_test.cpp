@@ -100,7 +100,8 @@ TEST_CASE("the radiance estimate is the reference's, from the tree and, bit for 
         p.z = p.y > 0.4 ? 0.02 : 0.0;
         slots.push_back(upwardPhoton(vec3(p), static_cast<float>(random.between(0.5, 1.5))));
         // From any direction above: octahedral x and y of no more than 1/2 each
-        const glm::uvec2 code = glm::uvec2(0x2000U) + glm::uvec2(glm::dvec2(0x3fff) * glm::dvec2(random.unit(), random.unit()));
+        const glm::uvec2 code =
+            glm::uvec2(0x2000U) + glm::uvec2(glm::dvec2(0x3fff) * glm::dvec2(random.unit(), random.unit()));
         const glm::dvec2 flat = glm::dvec2(code) / 16383.5 - 1.0;
         slots.back().direction = code.x | code.y << 15U;
         stored.push_back({.position = slots.back().position,
@@ -146,9 +147,9 @@ TEST_CASE("the radiance estimate is the reference's, from the tree and, bit for 
                     CHECK(tree.radii[i] == 0);
                     continue;
                 }
-                const reference::VisiblePoint x{points[i].position, points[i].position,   {0, 0, 1},
-                                                geometricNormal(),  dvec3(points[i].f),   1,
-                                                0,                  points[i].coat != 0};
+                const reference::VisiblePoint x{
+                    points[i].position, points[i].position, {0, 0, 1}, geometricNormal(), dvec3(points[i].f), 1, 0,
+                    points[i].coat != 0};
                 const auto expected = reference::estimateRadiance(map, x, options);
                 const bool same = std::abs(tree.radii[i] - expected.radius) < 1e-5 * expected.radius &&
                                   distance(tree.radiance[i], expected.radiance) < 1e-4 * expected.radiance.x + 1e-7;

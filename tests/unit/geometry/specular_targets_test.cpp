@@ -29,8 +29,8 @@ TEST_CASE("everything specular has a target, and nothing else") {
     addObject(scene, Disk{{-4, 0, 0}, {0.3, 0, 0}, {0, 0, 0.2}}, mirror);
     const std::vector<BoundingSphere> targets = specularTargets(scene);
     REQUIRE(targets.size() == 2);
-    const auto [disk, ball] = targets[0].radius < targets[1].radius ? std::pair(targets[0], targets[1])
-                                                                    : std::pair(targets[1], targets[0]);
+    const auto [disk, ball] =
+        targets[0].radius < targets[1].radius ? std::pair(targets[0], targets[1]) : std::pair(targets[1], targets[0]);
     checkNear(ball.center, {1, 2, 3}, 1e-12);
     CHECK_THAT(ball.radius, WithinRel(0.5, 2e-5)); // a little larger, for the kernels' rounding
     CHECK(ball.radius > 0.5);
