@@ -80,7 +80,8 @@ TEST_CASE("textured surfaces have the colours of the reference on every shape") 
         if (!hit || hit->object != both.sceneObject(bounce.hits.host()[i].object)) {
             continue;
         }
-        const auto expected = reference::shadeSurface(both.world, ray, *hit, {}, 1, 0);
+        const reference::CameraPath path{.samplerSeed = paths[i].samplerSeed};
+        const auto expected = reference::shadeSurface(both.world, ray, *hit, path, 1, 0);
         double difference = 0;
         if (expected.visible.has_value() != (bounce.visible.host()[i].depth == 1)) {
             ++edges; // of lobe and diffuse part the other one was taken
@@ -115,6 +116,7 @@ TEST_CASE("a scene whose materials name no texture has none on the device") {
     Scene scene = texturedRoom();
     for (Material& material : scene.materials) {
         material.colorTexture.reset();
+        material.roughnessTexture.reset();
     }
     const BothSides both(scene);
     CHECK(both.deviceScene.specialization.at("kTextures") == 0);
