@@ -47,7 +47,7 @@ std::vector<shared::VisiblePoint> pointsOnWalls() {
             vec3 p(u, v, v);
             p[(wall / 2 + 1) % 3] = u;
             p[wall / 2] = wall % 2 == 0 ? -1 : 1;
-            points.push_back({p, 1, vec3(0, 0, 1), 0, vec3(1), 0, 0, 0x7fffU | 0x7fffU << 16U});
+            points.push_back({p, 1, vec3(0, 0, 1), 0, vec3(1), 0, 0, 0x7fffU | 0x7fffU << 16U, 0});
         }
     }
     return points;

@@ -69,6 +69,6 @@ TEST_CASE("what no dielectric fills absorbs nothing") {
     const Material mirror{.name = {}, .model = Mirror{}};
     CHECK(transmittance(nullptr, 5) == dvec3(1));
     CHECK(transmittance(&mirror, 5) == dvec3(1));
-    const Material glass{.name = {}, .model = Dielectric{1.5, {0, 1, 2}}};
+    const Material glass{.name = {}, .model = Dielectric{1.5, 0, {0, 1, 2}}};
     checkNear(transmittance(&glass, 3), {1, std::exp(-3.0), std::exp(-6.0)}, 1e-15);
 }

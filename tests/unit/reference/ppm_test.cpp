@@ -80,7 +80,7 @@ TEST_CASE("a hollow sphere of albedo 1/2 glows with twice its direct light") {
     }
     const double direct = 0.5 / pi * 3;
     const double expected = direct * (1 + S * (1 - meanRadius2 / 8));
-    const Image image = render(scene);
+    const Image image = render(scene).picture;
     double mean = 0;
     for (const glm::vec3& pixel : image.pixels) {
         mean += pixel.x / static_cast<double>(image.pixels.size());
@@ -100,7 +100,7 @@ TEST_CASE("a pane shows the lamp behind it at (1 - F) / (1 + F) on average") {
     addObject(scene, Quad{{-1, -1, -1}, {0, 2, 0}, {2, 0, 0}}, glass);
     addObject(scene, Quad{{-1, -1, -2}, {2, 0, 0}, {0, 2, 0}}, std::nullopt, dvec3(7));
     const double T = 0.96 / 1.04;
-    CHECK_THAT(render(scene).pixels[0].x, WithinAbs(7 * T, 5 * 7 * std::sqrt(T * (1 - T) / 4000)));
+    CHECK_THAT(render(scene).picture.pixels[0].x, WithinAbs(7 * T, 5 * 7 * std::sqrt(T * (1 - T) / 4000)));
 }
 
 TEST_CASE("a lamp inside glass is seen from outside at (1 - F) / n^2 of its radiance on average") {
@@ -112,15 +112,15 @@ TEST_CASE("a lamp inside glass is seen from outside at (1 - F) / n^2 of its radi
     addObject(scene, Quad{{-1, -1, 0}, {2, 0, 0}, {0, 2, 0}}, glass);
     addObject(scene, Quad{{-1, -1, -2}, {2, 0, 0}, {0, 2, 0}}, std::nullopt, dvec3(7));
     const double seen = 7 / 2.25;
-    CHECK_THAT(render(scene).pixels[0].x, WithinAbs(0.96 * seen, 5 * seen * std::sqrt(0.96 * 0.04 / 1000)));
+    CHECK_THAT(render(scene).picture.pixels[0].x, WithinAbs(0.96 * seen, 5 * seen * std::sqrt(0.96 * 0.04 / 1000)));
 }
 
 TEST_CASE("the same scene and seed give the same bits, another seed others") {
     Scene scene = cornellBox();
-    const Image first = render(scene);
-    CHECK(render(scene).pixels == first.pixels);
+    const Image first = render(scene).picture;
+    CHECK(render(scene).picture.pixels == first.pixels);
     scene.render.seed = 2;
-    CHECK(render(scene).pixels != first.pixels);
+    CHECK(render(scene).picture.pixels != first.pixels);
 }
 
 TEST_CASE("the picture shared out over the cores is the mean of its pixels taken one by one") {
@@ -130,7 +130,7 @@ TEST_CASE("the picture shared out over the cores is the mean of its pixels taken
     const PhotonMap second(tracePhotons(world, progressivePass(world, 1)));
     const double radius2 = world.initialRadius * world.initialRadius;
     const double secondRadius = std::sqrt(nextRadius2(radius2, 0, scene.render.alpha));
-    const Image image = render(scene);
+    const Image image = render(scene).picture;
     for (std::uint32_t pixel = 0; pixel < 256; ++pixel) {
         const dvec3 sum = ppmRadiance(world, first, std::sqrt(radius2), pixel, 0) +
                           ppmRadiance(world, second, secondRadius, pixel, 1);
@@ -142,13 +142,13 @@ TEST_CASE("rendering may be ended after any pass and gives the mean so far") {
     Scene scene = cornellBox();
     scene.render.passes = 5;
     std::vector<std::uint32_t> calls;
-    const Image stopped = render(scene, {.afterPass = [&](std::uint32_t done) {
+    const LayeredImage stopped = render(scene, {.afterPass = [&](std::uint32_t done) {
                                      calls.push_back(done);
                                      return done < 2;
                                  }});
     CHECK(calls == std::vector<std::uint32_t>{1, 2});
     scene.render.passes = 2;
-    CHECK(stopped.pixels == render(scene).pixels);
+    CHECK(stopped.picture.pixels == render(scene).picture.pixels);
 }
 
 TEST_CASE("a scene without light is refused") {

@@ -103,7 +103,7 @@ TEST_CASE("the picture's pixels are the means of their samples") {
     scene.render.passes = 3;
     scene.render.maxDepth = 4;
     const World world = prepareWorld(scene);
-    const Image image = render(scene);
+    const Image image = render(scene).picture;
     REQUIRE(image.width == 16);
     REQUIRE(image.height == 16);
     for (std::uint32_t pixel = 0; pixel < 256; ++pixel) {
