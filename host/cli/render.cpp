@@ -189,6 +189,11 @@ void refuseUnused(const RenderCommand& command, const Scene& scene) {
     }
     const bool anyExr = std::ranges::any_of(
         command.outputs, [](const std::string& output) { return std::filesystem::path(output).extension() == ".exr"; });
+    const bool hasLayers = photonMap || (command.backend == "vulkan" && scene.render.integrator == Integrator::Ppm);
+    if (command.layers && !hasLayers) {
+        throw Error(ExitCode::WrongUsage, "--layers has no use here: this picture is not a sum",
+                    "photonmap has layers, and ppm on the device");
+    }
     if (command.layers && !anyExr) {
         throw Error(ExitCode::WrongUsage, "--layers has no use without an .exr file to write them to",
                     "add -o FILE.exr");

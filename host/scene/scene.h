@@ -38,7 +38,7 @@ struct PhotonMapSettings {
     std::uint32_t causticPhotons = 100000; // aimed at mirrors and glass, besides RenderSettings::photons; 0: none
     bool projectionMap = true;             // aim them; false: emit them like the others
     PhotonStructure structure = PhotonStructure::Tree;
-    std::uint32_t nearest = 100;       // photons of one estimate from the global map
+    std::uint32_t nearest = 50;        // photons of one estimate from the global map
     std::uint32_t causticNearest = 60; // and from the caustic map
     double causticRadius = 0;          // they lie no farther than this [m]; 0: 1/25 of the radius of the scene's sphere
     PhotonFilter filter = PhotonFilter::None;

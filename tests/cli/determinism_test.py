@@ -14,6 +14,8 @@ class Determinism(CliTest):
         ("tests/all-lights.yaml", "ppm"),
         ("tests/all-lights.yaml", "whitted"),
         ("globe.yaml", "ppm"),
+        ("cornell-caustics.yaml", "photonmap"),
+        ("tests/all-materials.yaml", "photonmap"),
     )
     # What lavapipe reads. Where the CPU does not have a width, lavapipe takes a smaller one by itself.
     ENVIRONMENTS = (
@@ -29,7 +31,8 @@ class Determinism(CliTest):
 
     def render(self, scene, integrator, environment):
         # lavapipe by name: the variables are its own.
-        options = ["--integrator", integrator, "--resolution", "64x64", "--passes", "3", "--photons", "20000"]
+        options = ["--integrator", integrator, "--resolution", "64x64", "--passes", "3", "--photons", "20000",
+                   "--set", "render.caustic_photons=20000", "--set", "render.shadow_photons=4"]
         arguments = ["render", scene_file(scene), *options, "--device", "llvmpipe", "-o", "picture.exr"]
         report = self.succeed_json(*arguments, environment=environment)
         return (self.folder / "picture.exr").read_bytes(), report["device"]

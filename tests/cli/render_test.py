@@ -134,7 +134,7 @@ class Reports(RenderTest):
         options = [*SMALL, *TWO_PASSES, "--seed", "3", "-o", "a.png", "-o", "b.exr"]
         report = self.succeed_json("render", self.cornell, *options)
         elapsed = time.monotonic() - start
-        keys = "version scene integrator backend device seed resolution passes seconds counts outputs"
+        keys = "version scene integrator backend device seed resolution passes seconds counts warnings outputs"
         self.assertEqual(set(report), set(keys.split()))
         self.assertEqual("hyalite " + report["version"], self.succeed("--version").strip())
         self.assertEqual(report["scene"], self.cornell)
@@ -170,18 +170,25 @@ class Reports(RenderTest):
         self.assertEqual(threads["trace_closest"], counts["camera_rays"] + counts["photon_rays"])
         self.assertEqual(threads["trace_shadow"], counts["shadow_rays"])
         self.assertEqual(threads["sort_photons"], counts["photons_stored"])
-        self.assertEqual(threads["resolve_film"], 20 * 12)
+        self.assertEqual(threads["resolve_film"], 3 * 20 * 12)  # emitted and direct light, photons
         self.assertTrue(all(stage["dispatches"] > 0 for stage in stages.values()), stages)
         self.assertLess(sum(stage["seconds"] for stage in stages.values()), report["seconds"]["total"])
 
     def test_profile_prints_a_table_with_every_kernel_that_ran(self):
-        # The two integrators together run every kernel but the start-up test's, and clear buffers in between.
+        # These together run every kernel but those of the start-up test and the tests, and clear buffers in between.
         kernels = {path.stem for path in (Setup.source / "shaders/kernels").glob("*.comp")}
-        expected = kernels - {"self_test"} | {"clear"}
+        expected = kernels - {"self_test", "nearest_photons"} | {"clear"}
         found = set()
-        for integrator in ("ppm", "whitted"):
+        materials = scene_file("tests/all-materials.yaml")
+        for scene, integrator, *settings in (
+            (self.cornell, "whitted"),
+            (materials, "ppm"),
+            (self.cornell, "photonmap", "shadow_photons=4", "view=photons", "caustic_photons=2000"),
+        ):
             options = ["--integrator", integrator, "--max-depth", "5", "--profile", "--quiet", "-o", "x.png"]
-            table = self.succeed("render", self.cornell, *SMALL, *TWO_PASSES, *options)
+            for setting in settings:
+                options += ["--set", "render." + setting]
+            table = self.succeed("render", scene, *SMALL, *TWO_PASSES, *options)
             rows = re.findall(r"^(\w+) +([\d.]+) +([\d.]+) % +(\d+) +([\d.]+)$", table, re.MULTILINE)
             self.assertIn("all stages", table)
             found |= {row[0] for row in rows}

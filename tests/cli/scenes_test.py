@@ -12,7 +12,8 @@ class EveryScene(CliTest):
         self.assertGreaterEqual(len(scenes), 5, scenes)
         for scene in scenes:
             with self.subTest(scene.name):
-                options = ["--resolution", "32x32", "--passes", "2", "--photons", "5000", "--quiet", "-o", "a.exr"]
+                options = ["--resolution", "32x32", "--passes", "2", "--photons", "5000", "--quiet", "-o", "a.exr",
+                           "--set", "render.caustic_photons=5000"]
                 self.succeed("render", str(scene), *options)
                 picture = Picture(self.folder / "a.exr")
                 self.assertEqual((picture.width, picture.height), (32, 32))

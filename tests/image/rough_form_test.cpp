@@ -75,8 +75,8 @@ TEST_CASE("in a room of radiance 1 a rough surface has the radiance of its albed
 }
 
 TEST_CASE("under a sky of radiance 1 a rough white ball shows the albedo of its facets with every integrator") {
-    // As in the room above, but light from beyond the scene, seen along the normal; the reference's lobe at 45 degrees is
-    // replaced by the integral over the facets' slope t: what they reflect to 2 t is masked by G1(2 t) [Walter07].
+    // As in the room above, but light from beyond the scene, seen along the normal; the reference's lobe at 45 degrees
+    // is replaced by the integral over the facets' slope t: what they reflect to 2 t is masked by G1(2 t) [Walter07].
     const double a2 = std::pow(0.09, 2);
     double expected = 0;
     constexpr int kSteps = 10000;

@@ -100,7 +100,7 @@ std::map<std::string, HostLayout> hostLayouts() {
                 radius, count);
     HOST_LAYOUT(SkipShadowRaysArguments, lit, shadowed, shadowRays, contributions, direct, counts, light, count);
     HOST_LAYOUT(SplatPhotonsArguments, photons, counts, camera.position, camera.forward, camera.right, camera.up,
-                camera.width, camera.height, count, rootNode);
+                camera.width, camera.height, camera.lensRadius, camera.focusDistance, count, rootNode);
     HOST_LAYOUT(SelfTestRecord, first, second, third, fourth);
     HOST_LAYOUT(SelfTestAnswer, rounds, texel, record.first, record.second, record.third, record.fourth);
     HOST_LAYOUT(SelfTestArguments, records, answers, rounds, count);

@@ -67,7 +67,8 @@ TEST_CASE("every struct of every kernel has the same member offsets and sizes on
 TEST_CASE("every array stride of every kernel is the host's sizeof", "[layout]") {
     const auto layouts = testing::hostLayouts();
     // Elements that are no structs, in bytes: 4 a component.
-    const std::map<std::string, std::size_t> plain{{"uint", 4}, {"float", 4}, {"vec2", 8}, {"vec3", 12}, {"vec4", 16}};
+    const std::map<std::string, std::size_t> plain{{"uint", 4},  {"float", 4}, {"vec2", 8},
+                                                   {"uvec2", 8}, {"vec3", 12}, {"vec4", 16}};
     for (const std::string& kernel : kernelNames()) {
         const gpu::KernelInterface interface = gpu::reflect(Gpu::shared().compiler().compile(kernel));
         for (const auto& [element, stride] : interface.arrayStrides) {

@@ -103,9 +103,9 @@ TEST_CASE("light seen through a pane or in a mirror is counted once") {
 }
 
 TEST_CASE("a rough white ball in a room of light shows the albedo of its facets") {
-    // F = 1 everywhere, seen along the normal: facets of slope t reflect to 2 t, and the light that the far side masks is
-    // lost. Their density is D(t) cos t, so that L is the integral of D cos t G1(2 t) over the t up to 45 degrees, with
-    // D = a^2 / (pi (1 + (a^2 - 1) cos^2 t)^2) and G1 = 2 / (1 + sqrt(1 + a^2 tan^2)) [Walter07].
+    // F = 1 everywhere, seen along the normal: facets of slope t reflect to 2 t, and the light that the far side masks
+    // is lost. Their density is D(t) cos t, so that L is the integral of D cos t G1(2 t) over the t up to 45 degrees,
+    // with D = a^2 / (pi (1 + (a^2 - 1) cos^2 t)^2) and G1 = 2 / (1 + sqrt(1 + a^2 tan^2)) [Walter07].
     Scene scene = onePixel({0, 0, 3}, {0, 0, 0}, Integrator::Path);
     scene.environment = Environment{.image = Image(1, 1)};
     scene.environment->image.pixels[0] = glm::vec3(1);

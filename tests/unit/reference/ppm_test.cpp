@@ -143,9 +143,9 @@ TEST_CASE("rendering may be ended after any pass and gives the mean so far") {
     scene.render.passes = 5;
     std::vector<std::uint32_t> calls;
     const LayeredImage stopped = render(scene, {.afterPass = [&](std::uint32_t done) {
-                                     calls.push_back(done);
-                                     return done < 2;
-                                 }});
+                                            calls.push_back(done);
+                                            return done < 2;
+                                        }});
     CHECK(calls == std::vector<std::uint32_t>{1, 2});
     scene.render.passes = 2;
     CHECK(stopped.picture.pixels == render(scene).picture.pixels);

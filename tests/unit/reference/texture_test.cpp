@@ -133,10 +133,8 @@ TEST_CASE("a texture multiplies the colour of diffuse surfaces and mirrors") {
 TEST_CASE("a texture's green multiplies the roughness, its blue the metallic") {
     Scene scene = onePixel({0, 0, 5}, {0, 0, 0}, Integrator::Ppm);
     scene.textures.push_back({"t", Checker{.colors = {dvec3(0.9, 0.25, 0.5), dvec3(0)}, .size = 10}});
-    scene.materials = {{.name = {},
-                        .model = MetallicRoughness{dvec3(0.8), 0.5, 0.75},
-                        .colorTexture = {},
-                        .roughnessTexture = 0}};
+    scene.materials = {
+        {.name = {}, .model = MetallicRoughness{dvec3(0.8), 0.5, 0.75}, .colorTexture = {}, .roughnessTexture = 0}};
     addObject(scene, Quad{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 0);
     const World world = prepareWorld(scene);
     const Ray ray{.origin = {0.25, 0.25, 1}, .direction = {0, 0, -1}};
