@@ -29,7 +29,7 @@ picture csg-cube csg-cube
 picture glass-teapot glass-teapot
 picture instances instances
 picture metals metals
-picture cornell-global cornell-box --set render.gather_rays=0
+picture cornell-global cornell-box --set render.gather_rays=0 --passes 8
 picture cornell-gather cornell-box
 picture glass-ball glass-ball
 picture caustic-ring caustic-ring
