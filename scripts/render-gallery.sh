@@ -28,10 +28,10 @@ picture csg csg
 picture csg-cube csg-cube
 picture glass-teapot glass-teapot
 picture instances instances
-picture metals metals
-picture cornell-global cornell-box --set render.gather_rays=0 --passes 8
-picture cornell-gather cornell-box
-picture glass-ball glass-ball
-picture caustic-ring caustic-ring
-picture room-through-gap room-through-gap
-picture teapot-caustic teapot-caustic
+picture metals metals --resolution 352x352
+picture cornell-global cornell-box --set render.gather_rays=0 --passes 8 --resolution 384x384
+picture cornell-gather cornell-box --resolution 384x384
+picture glass-ball glass-ball --resolution 384x384
+picture caustic-ring caustic-ring --resolution 384x384
+picture room-through-gap room-through-gap --resolution 384x384
+picture teapot-caustic teapot-caustic --resolution 440x330
