@@ -11,20 +11,21 @@ trap 'rm -rf "$folder"' EXIT
 scenes=("$@")
 [ $# -gt 0 ] || scenes=(cornell-caustics cornell-box glass-teapot)
 
-# run NAME SCENE OPTION...: renders to NAME.exr, keeps the report in NAME.json
+# run NAME SCENE PASSES OPTION...: renders to NAME.exr, keeps the report in NAME.json
 run() {
     name=$1
     scene=$2
-    shift 2
-    "$hyalite" render "scenes/$scene.yaml" --integrator photonmap --resolution 256x256 --passes 16 --layers --json \
-        -o "$folder/$name.exr" "$@" > "$folder/$name.json" 2> /dev/null
+    passes=$3
+    shift 3
+    "$hyalite" render "scenes/$scene.yaml" --integrator photonmap --resolution 256x256 --passes "$passes" --json \
+        -o "$folder/$name.exr" "$@" > "$folder/$name.json"
 }
 
 echo "| scene | caustic photons stored, aimed | not aimed |"
 echo "|---|---|---|"
 for scene in "${scenes[@]}"; do
-    run aimed "$scene" --passes 1
-    run astray "$scene" --passes 1 --set render.projection_map=false
+    run aimed "$scene" 1
+    run astray "$scene" 1 --set render.projection_map=false
     python3 - "$folder" "$scene" <<'PYTHON'
 import json, sys
 share = []
@@ -40,9 +41,9 @@ echo
 echo "| scene | shadow_photons | shadow rays spared | relMSE that it adds | time, as a share of that without |"
 echo "|---|---|---|---|---|"
 for scene in "${scenes[@]}"; do
-    run exact "$scene"
+    run exact "$scene" 8
     for agreeing in 4 8 16 32; do
-        run spared "$scene" --set "render.shadow_photons=$agreeing"
+        run spared "$scene" 8 --set "render.shadow_photons=$agreeing"
         "$hyalite" compare "$folder/spared.exr" "$folder/exact.exr" --json > "$folder/compare.json"
         python3 - "$folder" "$scene" "$agreeing" <<'PYTHON'
 import json, sys
