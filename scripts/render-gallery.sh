@@ -33,5 +33,5 @@ picture cornell-global cornell-box --set render.gather_rays=0 --passes 8 --resol
 picture cornell-gather cornell-box --resolution 384x384
 picture glass-ball glass-ball --resolution 384x384
 picture caustic-ring caustic-ring --resolution 384x384
-picture room-through-gap room-through-gap --resolution 384x384
+picture room-through-gap room-through-gap --resolution 344x344
 picture teapot-caustic teapot-caustic --resolution 440x330

@@ -6,7 +6,8 @@ import struct
 from exr import Picture
 from program import BAD_INPUT, USAGE, CliTest, Setup
 
-FEW = ["--resolution", "24x24", "--passes", "1", "--photons", "3000", "--set", "render.caustic_photons=3000"]
+FEW = ["--resolution", "24x24", "--passes", "1", "--max-depth", "8", "--photons", "3000",
+       "--set", "render.caustic_photons=3000"]
 PHOTON_MAP = ["--integrator", "photonmap", *FEW]
 
 # A glass ball above a floor, in the light of a lamp.
