@@ -118,13 +118,6 @@ std::string name(Integrator integrator) {
     return {};
 }
 
-void refuseReferenceIntegrators(const Scene& scene) {
-    if (scene.render.integrator == Integrator::Path) {
-        throw Error(ExitCode::WrongUsage, "the integrator 'path' runs in the reference alone",
-                    "use --backend reference");
-    }
-}
-
 LayeredImage renderOnDevice(const RenderCommand& command, const Scene& scene, ProgressBar& bar, RenderReport& report) {
     gpu::ContextOptions options;
     options.device = command.device;
@@ -211,9 +204,6 @@ void renderScene(RenderCommand command) {
     }
     Scene scene = loadScene(command.scene);
     applySettings(scene, allSettings(command));
-    if (!byReference) {
-        refuseReferenceIntegrators(scene);
-    }
     if (command.outputs.empty()) {
         command.outputs.push_back(std::filesystem::path(command.scene).stem().string() + ".png");
     }
@@ -278,7 +268,7 @@ void addRender(CLI::App& app, ExitCode&) {
         sub->add_option(setting.option, setting.value, text);
     };
     shorthand(0, "ppm (progressive photon mapping), photonmap (in two passes), whitted (recursive ray tracing) or path "
-                 "(path tracing, reference only)");
+                 "(path tracing, unbiased)");
     shorthand(1, "picture size, WIDTHxHEIGHT");
     shorthand(2, "passes, each one sample per pixel");
     shorthand(3, "the same as --passes");

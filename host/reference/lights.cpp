@@ -257,8 +257,11 @@ std::optional<LightSample> sampleLight(const World& world, const VisiblePoint& x
         return std::nullopt;
     }
     const double entering = x.coated ? coatTransmission(cosX) : 1;
-    return LightSample{
-        .from = x.shadowOrigin, .to = arrival.shadowEnd, .contribution = x.f * arrival.irradiance * (cosX * entering)};
+    return LightSample{.from = x.shadowOrigin,
+                       .to = arrival.shadowEnd,
+                       .contribution = x.f * arrival.irradiance * (cosX * entering),
+                       .cosine = cosX,
+                       .pdfW = arrival.pdfW};
 }
 
 glm::dvec3 environmentRadiance(const World& world, const glm::dvec3& direction) {

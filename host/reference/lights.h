@@ -60,7 +60,8 @@ struct VisiblePoint {
     glm::dvec3 f;               // path throughput times the BRDF [1/sr]
     std::uint32_t depth = 0;    // segments from the camera to here
     std::uint32_t samplerSeed = 0;
-    bool coated = false; // f is to be multiplied by coatTransmission of the angle of incidence
+    bool coated = false;        // f is to be multiplied by coatTransmission of the angle of incidence
+    const Quad* quad = nullptr; // of the world: the parallelogram that this is on; nullptr: another shape
 };
 
 // Ends of shadow rays to lights beyond the scene are so far away [m].
@@ -89,6 +90,8 @@ struct LightSample {
     glm::dvec3 from;         // world [m]
     glm::dvec3 to;           // world [m]
     glm::dvec3 contribution; // [W/(m^2 sr)]
+    double cosine = 0;       // of the angle to the surface's normal
+    double pdfW = 0;         // density of the choice [1/sr]; 0: no ray can hit the light
 };
 
 // Samples one light, the one named or one picked, at a visible point in a pass. None: the light cannot reach that side.

@@ -1,6 +1,5 @@
-// One path a sample. At each diffuse or rough surface a shadow ray to one light brings its light. So light that the
-// path then meets by itself counts in full only where no shadow ray could have brought it: after the camera, mirrors
-// and glass. After a diffuse surface it does not count, after a rough one both are weighted [Veach95].
+// One path a sample. At each diffuse or rough surface a shadow ray to one light brings its light, and the path may meet
+// the same light by itself: the two are weighted by the densities with which they find it [Veach95].
 #include "reference/path.h"
 
 #include "reference/film.h"
@@ -21,53 +20,57 @@ glm::dvec3 directLight(const World& world, const VisiblePoint& x, std::uint32_t 
         return glm::dvec3(0);
     }
     const std::optional<LightSample> sample = sampleLight(world, x, pass, std::nullopt);
-    return sample && traceShadow(world, sample->from, sample->to) ? sample->contribution : glm::dvec3(0);
+    if (!sample || !traceShadow(world, sample->from, sample->to)) {
+        return glm::dvec3(0);
+    }
+    const double weight = sample->pdfW > 0 ? powerHeuristic(sample->pdfW, sample->cosine / std::numbers::pi) : 1;
+    return weight * sample->contribution;
 }
 
-// The way on from a diffuse surface, by the cosine: f cos / pdfW = pi f. Roulette ends paths in proportion to what they
-// still carry [Arvo90]. None: the path ends.
-std::optional<NextRay> bounce(const World& world, const VisiblePoint& x, const CameraPath& path, std::uint32_t pass) {
+} // namespace
+
+// By the cosine: f cos / pdfW = pi f. Roulette ends paths in proportion to what they still carry [Arvo90].
+std::optional<NextRay> bouncePath(const World& world, const VisiblePoint& x, const CameraPath& path,
+                                  std::uint32_t pass) {
     const shared::Sampler sampler{.seed = x.samplerSeed, .index = pass};
     const std::uint32_t vertex = x.depth - 1;
     const glm::dvec3 direction = cosineHemisphere(sampleUnitSquare(sampler, shared::pathBounce(vertex)), x.normal);
     if (glm::dot(direction, x.geometricNormal) <= 0) { // a smoothed normal leans over: this way leads into the surface
         return std::nullopt;
     }
-    const double entering = x.coated ? coatTransmission(glm::dot(direction, x.normal)) : 1;
+    const double cosine = glm::dot(direction, x.normal);
+    const double entering = x.coated ? coatTransmission(cosine) : 1;
     const glm::dvec3 beta = (std::numbers::pi * entering) * x.f;
     const double survival = std::min(1.0, std::max({beta.x, beta.y, beta.z}));
     if (x.depth >= world.render.maxDepth || sampleUnitSquare(sampler, shared::pathRoulette(vertex)).x >= survival) {
         return std::nullopt;
     }
     return NextRay{.ray = {.origin = x.shadowOrigin, .direction = direction},
-                   .path = {.beta = beta / survival, .samplerSeed = path.samplerSeed, .medium = path.medium}};
+                   .path = {.beta = beta / survival,
+                            .samplerSeed = path.samplerSeed,
+                            .medium = path.medium,
+                            .pdfW = cosine / std::numbers::pi}};
 }
-
-} // namespace
 
 glm::dvec3 pathRadiance(const World& world, std::uint32_t pixel, std::uint32_t pass) {
     NextRay step{.ray = generateCameraRay(world, pixel, pass), .path = beginCameraPath(world, pixel, pass)};
     glm::dvec3 L(0);
-    bool seesLights = true; // light that the present segment meets counts, with the weight that its density gives it
     for (std::uint32_t depth = 1; depth <= world.render.maxDepth; ++depth) {
         const std::optional<Hit> hit = traceClosest(world, step.ray);
         const Shading shading =
             hit ? shadeSurface(world, step.ray, *hit, step.path, depth, pass) : shadeMiss(world, step.ray, step.path);
-        if (seesLights) {
-            L += shading.emitted;
-        }
+        L += shading.emitted;
         if (shading.rough) {
             L += directRoughLight(world, *shading.rough, pass);
         }
         std::optional<NextRay> next = shading.next[0];
         if (shading.visible) {
             L += directLight(world, *shading.visible, pass);
-            next = bounce(world, *shading.visible, step.path, pass);
+            next = bouncePath(world, *shading.visible, step.path, pass);
         }
         if (!next) {
             break;
         }
-        seesLights = !shading.visible;
         step = *next;
     }
     return L;

@@ -2,12 +2,22 @@
 
 namespace hyalite::render {
 
-CameraPaths::CameraPaths(Device& device, const Scene& scene, const DeviceScene& deviceScene, std::uint32_t capacity)
+namespace {
+
+gpu::Specialization shading(const DeviceScene& deviceScene, AtDiffuse atDiffuse) {
+    gpu::Specialization constants = deviceScene.specialization;
+    constants["kDiffuseBounces"] = atDiffuse == AtDiffuse::Bounces ? 1 : 0;
+    return constants;
+}
+
+} // namespace
+
+CameraPaths::CameraPaths(Device& device, const Scene& scene, const DeviceScene& deviceScene, std::uint32_t capacity,
+                         AtDiffuse atDiffuse)
     : device_(device), scene_(scene), deviceScene_(deviceScene),
       generateCameraRays_(device.kernel("generate_camera_rays")),
       traceClosest_(device.kernel("trace_closest", deviceScene.specialization)),
-      shadeSurface_(device.kernel("shade_surface", deviceScene.specialization)),
-      compactCameraPaths_(device.kernel("compact_camera_paths")), prefixSum_(device),
+      shadeSurface_(device.kernel("shade_surface", shading(deviceScene, atDiffuse))), compaction_(device),
       queue_(device.context, capacity, 1), roughLight_(device, deviceScene),
       roughPoints_(device.context, roughLight_.points(capacity), "rough points") {}
 
@@ -19,17 +29,9 @@ void CameraPaths::generate(std::uint32_t pass) {
                          queue_.count);
 }
 
-void CameraPaths::compact(std::uint32_t slots) {
-    const std::uint32_t alive = countAlive(device_, prefixSum_, queue_, slots);
-    device_.commands.run(compactCameraPaths_,
-                         shared::CompactCameraPathsArguments{queue_.alive, queue_.offsets, queue_.nextRays,
-                                                             queue_.nextPaths, queue_.rays, queue_.paths, slots},
-                         alive > 0 ? slots : 0);
-    queue_.count = alive;
-}
-
 RaysTraced CameraPaths::follow(std::uint32_t pass, const gpu::Array<shared::VisiblePoint>& visiblePoints,
-                               const gpu::Array<glm::vec3>& emitted, const gpu::Array<glm::vec3>* direct) {
+                               const gpu::Array<glm::vec3>& emitted, const gpu::Array<glm::vec3>* direct,
+                               const AtHits& atHits) {
     gpu::Commands& commands = device_.commands;
     CameraQueue& queue = queue_;
     RaysTraced rays;
@@ -47,6 +49,9 @@ RaysTraced CameraPaths::follow(std::uint32_t pass, const gpu::Array<shared::Visi
         rays.camera += queue.count;
         if (direct != nullptr) {
             rays.shadow += roughLight_.sample(roughPoints_, *direct, queue.count, shared::kNone, pass);
+        }
+        if (atHits) {
+            atHits(depth);
         }
         compact(queue.count);
     }

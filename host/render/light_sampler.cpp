@@ -12,11 +12,12 @@ LightSampler::LightSampler(Device& device, const DeviceScene& deviceScene, std::
       contributions_(device.context, capacity, "light contributions") {}
 
 void LightSampler::sample(const gpu::Array<shared::VisiblePoint>& visiblePoints, std::uint32_t light,
-                          std::uint32_t pass, std::uint32_t maxDepth) {
+                          std::uint32_t pass, std::uint32_t maxDepth, std::uint32_t bounceDepth) {
     const auto count = static_cast<std::uint32_t>(shadowRays_.count());
     device_.commands.run(sampleLights_,
                          shared::SampleLightsArguments{visiblePoints, deviceScene_.lights, shadowRays_, contributions_,
-                                                       count, deviceScene_.lightCount, light, pass, maxDepth},
+                                                       count, deviceScene_.lightCount, light, pass, maxDepth,
+                                                       bounceDepth},
                          count);
 }
 

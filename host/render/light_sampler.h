@@ -14,9 +14,9 @@ public:
     LightSampler(Device& device, const DeviceScene& deviceScene, std::uint32_t capacity);
 
     // Chooses a point on `light` (kNone: on one picked in proportion to its share of the photons) for each of the
-    // visible points; segments beyond maxDepth are not sampled.
+    // visible points; segments beyond maxDepth are not sampled. `bounceDepth`: see SampleLightsArguments.
     void sample(const gpu::Array<shared::VisiblePoint>& visiblePoints, std::uint32_t light, std::uint32_t pass,
-                std::uint32_t maxDepth);
+                std::uint32_t maxDepth, std::uint32_t bounceDepth = 0);
 
     // Adds what the sampled lights send wherever nothing stands in the way.
     void trace(const gpu::Array<glm::vec3>& direct);

@@ -19,6 +19,10 @@ struct RayQueue {
     [[nodiscard]] std::uint32_t capacity() const { return static_cast<std::uint32_t>(rays.count()); }
 };
 
+// Sums up which of `slots` next rays are alive, and how many; finishes the commands recorded so far.
+[[nodiscard]] std::uint32_t countAlive(Device& device, PrefixSum& prefixSum, const RayQueue& queue,
+                                       std::uint32_t slots);
+
 struct CameraQueue : RayQueue {
     gpu::Array<shared::CameraPath> paths;
     gpu::Array<shared::CameraPath> nextPaths;
@@ -33,8 +37,43 @@ struct PhotonQueue : RayQueue {
     PhotonQueue(const gpu::Context& context, std::uint32_t capacity);
 };
 
-// Finds out how many of `slots` next rays are alive; the commands recorded so far are finished by that.
-[[nodiscard]] std::uint32_t countAlive(Device& device, PrefixSum& prefixSum, const RayQueue& queue,
-                                       std::uint32_t slots);
+// The end of a bounce: the living of the next rays and paths become the queue, without gaps and in their order.
+template <class Queue, class Arguments>
+class Compaction {
+public:
+    // `kernel`: the one that takes the arguments.
+    Compaction(const Device& device, const std::string& kernel) : kernel_(device.kernel(kernel)), prefixSum_(device) {}
+
+    // How many of the first `slots` next rays are alive; finishes the commands recorded so far.
+    [[nodiscard]] std::uint32_t countAlive(Device& device, const Queue& queue, std::uint32_t slots) {
+        return render::countAlive(device, prefixSum_, queue, slots);
+    }
+
+    // After countAlive, which gave `alive`: makes them the rays and paths of `to`, which may be `from` itself and has
+    // room for them.
+    void move(Device& device, const Queue& from, Queue& to, std::uint32_t slots, std::uint32_t alive) const {
+        device.commands.run(
+            kernel_, Arguments{from.alive, from.offsets, from.nextRays, from.nextPaths, to.rays, to.paths, slots},
+            alive > 0 ? slots : 0);
+        to.count = alive;
+    }
+
+    // Both, in one queue.
+    void run(Device& device, Queue& queue, std::uint32_t slots) {
+        move(device, queue, queue, slots, countAlive(device, queue, slots));
+    }
+
+private:
+    gpu::Kernel kernel_;
+    PrefixSum prefixSum_;
+};
+
+struct CameraCompaction : Compaction<CameraQueue, shared::CompactCameraPathsArguments> {
+    explicit CameraCompaction(const Device& device) : Compaction(device, "compact_camera_paths") {}
+};
+
+struct PhotonCompaction : Compaction<PhotonQueue, shared::CompactPhotonPathsArguments> {
+    explicit PhotonCompaction(const Device& device) : Compaction(device, "compact_photon_paths") {}
+};
 
 } // namespace hyalite::render

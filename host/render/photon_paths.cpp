@@ -10,9 +10,8 @@ PhotonPaths::PhotonPaths(Device& device, const Scene& scene, const DeviceScene& 
     : device_(device), scene_(scene), deviceScene_(deviceScene), emitPhotons_(device.kernel("emit_photons")),
       emitCausticPhotons_(device.kernel("emit_caustic_photons")),
       traceClosest_(device.kernel("trace_closest", deviceScene.specialization)),
-      scatterPhoton_(device.kernel("scatter_photon", deviceScene.specialization)),
-      compactPhotonPaths_(device.kernel("compact_photon_paths")), prefixSum_(device), queue_(device.context, capacity) {
-}
+      scatterPhoton_(device.kernel("scatter_photon", deviceScene.specialization)), compaction_(device),
+      queue_(device.context, capacity) {}
 
 std::uint32_t PhotonPaths::trace(const PhotonPass& pass) {
     gpu::Commands& commands = device_.commands;
@@ -38,12 +37,7 @@ std::uint32_t PhotonPaths::trace(const PhotonPass& pass) {
                      queue.count);
         raysTraced_ += queue.count;
         slots += depth >= firstStored ? queue.count : 0;
-        const std::uint32_t alive = countAlive(device_, prefixSum_, queue, queue.count);
-        commands.run(compactPhotonPaths_,
-                     shared::CompactPhotonPathsArguments{queue.alive, queue.offsets, queue.nextRays, queue.nextPaths,
-                                                         queue.rays, queue.paths, queue.count},
-                     alive > 0 ? queue.count : 0);
-        queue.count = alive;
+        compaction_.run(device_, queue, queue.count);
     }
     if (pass.account) {
         closeAccount();

@@ -43,8 +43,7 @@ private:
     gpu::Kernel emitCausticPhotons_;
     gpu::Kernel traceClosest_;
     gpu::Kernel scatterPhoton_;
-    gpu::Kernel compactPhotonPaths_;
-    PrefixSum prefixSum_;
+    PhotonCompaction compaction_;
     PhotonQueue queue_;
     gpu::Array<shared::Photon> photons_;
     gpu::Array<shared::PhotonFate> fates_;

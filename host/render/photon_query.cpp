@@ -55,13 +55,11 @@ NearestPhotons::NearestPhotons(const Device& device, PhotonStructure structure, 
       nearestPhotons_(device.kernel("nearest_photons", specialized(structure, capacity_))) {}
 
 void NearestPhotons::run(Device& device, const shared::PhotonMapRecord& map, shared::VisiblePointArray points,
-                         std::uint32_t count, const PhotonSearch& search, shared::UintArray found,
-                         shared::UintArray closest, std::uint32_t among) const {
+                         std::uint32_t count, const PhotonSearch& search, shared::UintArray found) const {
     checkNearest(search.nearest, 1, capacity_);
     device.commands.run(nearestPhotons_,
-                        shared::NearestPhotonsArguments{points, map, found, closest, search.radius, search.nearest,
-                                                        search.kinds, std::min(among, map.count), count,
-                                                        search.maxDepth},
+                        shared::NearestPhotonsArguments{points, map, found, search.radius, search.nearest, search.kinds,
+                                                        count, search.maxDepth},
                         count);
 }
 

@@ -35,10 +35,9 @@ public:
     NearestPhotons(const Device& device, PhotonStructure structure, std::uint32_t nearest);
 
     // Records the search of `map` at `count` points. `found`: search.nearest slots for each, the nearest first, then
-    // kNone. `closest`: slot of the closest photon on the same surface, of any kind, among the first `among` nodes of a
-    // tree, or kNone. search.nearest must not be more than at construction.
+    // kNone. search.nearest must not be more than at construction.
     void run(Device& device, const shared::PhotonMapRecord& map, shared::VisiblePointArray points, std::uint32_t count,
-             const PhotonSearch& search, shared::UintArray found, shared::UintArray closest, std::uint32_t among) const;
+             const PhotonSearch& search, shared::UintArray found) const;
 
 private:
     std::uint32_t capacity_;

@@ -1,6 +1,7 @@
 #include "render/renderer.h"
 
 #include "base/stopwatch.h"
+#include "render/path.h"
 #include "render/photon_mapping.h"
 #include "render/ppm.h"
 #include "render/whitted.h"
@@ -9,18 +10,18 @@ namespace hyalite::render {
 
 namespace {
 
-std::vector<LayerKind> layersOf(const RenderSettings& render) {
-    switch (render.integrator) {
+std::vector<LayerKind> layersOf(const Scene& scene) {
+    switch (scene.render.integrator) {
     case Integrator::Whitted:
         return Whitted::layers();
     case Integrator::Ppm:
         return Ppm::layers();
     case Integrator::PhotonMap:
-        return PhotonMapping::layers(render.photonMap.view);
+        return PhotonMapping::layers(scene.render.photonMap.view);
     case Integrator::Path:
-        break;
+        return PathTracing::layers();
     }
-    throw Error(ExitCode::WrongUsage, "this integrator has no kernels");
+    return {};
 }
 
 std::unique_ptr<PassIntegrator> makeIntegrator(Device& device, const Scene& scene, const DeviceScene& deviceScene,
@@ -33,9 +34,9 @@ std::unique_ptr<PassIntegrator> makeIntegrator(Device& device, const Scene& scen
     case Integrator::PhotonMap:
         return std::make_unique<PhotonMapping>(device, scene, deviceScene, film, options);
     case Integrator::Path:
-        break;
+        return std::make_unique<PathTracing>(device, scene, deviceScene, film);
     }
-    throw Error(ExitCode::WrongUsage, "this integrator has no kernels");
+    return nullptr;
 }
 
 } // namespace
@@ -49,7 +50,7 @@ RenderResult render(const gpu::Context& context, const gpu::ShaderCompiler& comp
     const Stopwatch setup;
     Device device(context, compiler, options.profile);
     const DeviceScene deviceScene = uploadScene(context, device.tables, scene);
-    const Film film(device, scene.camera.resolution, layersOf(scene.render));
+    const Film film(device, scene.camera.resolution, layersOf(scene));
     const auto integrator = makeIntegrator(device, scene, deviceScene, film, options);
 
     RenderResult result;

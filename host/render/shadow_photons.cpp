@@ -8,9 +8,8 @@ ShadowPhotonPaths::ShadowPhotonPaths(Device& device, const Scene& scene, const D
                                      std::uint32_t capacity)
     : device_(device), scene_(scene), deviceScene_(deviceScene), emitPhotons_(device.kernel("emit_photons")),
       traceClosest_(device.kernel("trace_closest", deviceScene.specialization)),
-      castShadowPhotons_(device.kernel("cast_shadow_photons", deviceScene.specialization)),
-      compactPhotonPaths_(device.kernel("compact_photon_paths")), prefixSum_(device), queue_(device.context, capacity) {
-}
+      castShadowPhotons_(device.kernel("cast_shadow_photons", deviceScene.specialization)), compaction_(device),
+      queue_(device.context, capacity) {}
 
 std::uint32_t ShadowPhotonPaths::cast(std::uint32_t count) {
     gpu::Commands& commands = device_.commands;
@@ -35,12 +34,7 @@ std::uint32_t ShadowPhotonPaths::cast(std::uint32_t count) {
                      queue.count);
         raysTraced_ += queue.count;
         slots += queue.count;
-        const std::uint32_t alive = countAlive(device_, prefixSum_, queue, queue.count);
-        commands.run(compactPhotonPaths_,
-                     shared::CompactPhotonPathsArguments{queue.alive, queue.offsets, queue.nextRays, queue.nextPaths,
-                                                         queue.rays, queue.paths, queue.count},
-                     alive > 0 ? queue.count : 0);
-        queue.count = alive;
+        compaction_.run(device_, queue, queue.count);
     }
     return slots;
 }

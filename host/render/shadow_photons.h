@@ -26,8 +26,7 @@ private:
     gpu::Kernel emitPhotons_;
     gpu::Kernel traceClosest_;
     gpu::Kernel castShadowPhotons_;
-    gpu::Kernel compactPhotonPaths_;
-    PrefixSum prefixSum_;
+    PhotonCompaction compaction_;
     PhotonQueue queue_;
     gpu::Array<shared::Photon> photons_;
     std::uint64_t raysTraced_ = 0;

@@ -22,9 +22,9 @@ Whitted::Whitted(Device& device, const Scene& scene, const DeviceScene& deviceSc
       generateCameraRays_(device.kernel("generate_camera_rays")),
       traceClosest_(device.kernel("trace_closest", deviceScene.specialization)),
       shadeSurface_(device.kernel("shade_surface", deviceScene.specialization)),
-      compactCameraPaths_(device.kernel("compact_camera_paths")), sampleLights_(device.kernel("sample_lights")),
+      sampleLights_(device.kernel("sample_lights")),
       traceShadow_(device.kernel("trace_shadow", deviceScene.specialization)), sumPaths_(device.kernel("sum_paths")),
-      prefixSum_(device), roughLight_(device, deviceScene),
+      compaction_(device), roughLight_(device, deviceScene),
       level_(device.context, film.pixelCount(), roughLight_.points(film.pixelCount())) {}
 
 void Whitted::renderPass(std::uint32_t pass) {
@@ -74,7 +74,7 @@ void Whitted::sampleEveryLight(std::uint32_t pass) {
                              shared::SampleLightsArguments{level_.visiblePoints, deviceScene_.lights, level_.shadowRays,
                                                            level_.contributions, count, deviceScene_.lightCount, light,
                                                            pass,
-                                                           /*maxDepth*/ scene_.render.maxDepth + 2},
+                                                           /*maxDepth*/ scene_.render.maxDepth + 2, /*bounceDepth*/ 0},
                              count);
         device_.commands.run(traceShadow_,
                              shared::TraceShadowArguments{level_.shadowRays, level_.contributions, level_.direct, count,
@@ -87,24 +87,16 @@ void Whitted::sampleEveryLight(std::uint32_t pass) {
 
 void Whitted::descend() {
     const std::uint32_t slots = kChildren * level_.queue.count;
-    const std::uint32_t alive = countAlive(device_, prefixSum_, level_.queue, slots);
-    const auto compactInto = [&](const CameraQueue& to) {
-        const CameraQueue& from = level_.queue;
-        device_.commands.run(compactCameraPaths_,
-                             shared::CompactCameraPathsArguments{from.alive, from.offsets, from.nextRays,
-                                                                 from.nextPaths, to.rays, to.paths, slots},
-                             alive > 0 ? slots : 0);
-    };
+    const std::uint32_t alive = compaction_.countAlive(device_, level_.queue, slots);
     if (alive <= level_.queue.capacity()) {
-        compactInto(level_.queue);
+        compaction_.move(device_, level_.queue, level_.queue, slots, alive);
     } else { // a level of many splits: more room, kept for the passes to come
         const std::uint32_t capacity = alive + alive / 4;
         Level larger(device_.context, capacity, roughLight_.points(capacity));
-        compactInto(larger.queue);
+        compaction_.move(device_, level_.queue, larger.queue, slots, alive);
         device_.commands.finish();
         level_ = std::move(larger);
     }
-    level_.queue.count = alive;
 }
 
 } // namespace hyalite::render

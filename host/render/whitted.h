@@ -45,11 +45,10 @@ private:
     gpu::Kernel generateCameraRays_;
     gpu::Kernel traceClosest_;
     gpu::Kernel shadeSurface_;
-    gpu::Kernel compactCameraPaths_;
     gpu::Kernel sampleLights_;
     gpu::Kernel traceShadow_;
     gpu::Kernel sumPaths_;
-    PrefixSum prefixSum_;
+    CameraCompaction compaction_;
     RoughLight roughLight_;
     Level level_;
 };

@@ -14,14 +14,9 @@ void main() {
     }
     VisiblePoint x = args.visiblePoints.at[i];
     heapCount = 0u;
-    args.closest.at[i] = kNone;
     if (x.depth != 0u) {
         NearestQuery query =
             NearestQuery(x.position, x.normal, args.radius, args.nearest, args.kinds, x.depth, args.maxDepth);
-        if (kPhotonStructure == kPhotonTree) {
-            uint node = nearestPhoton(x.position, x.normal, args.radius, args.map.base, args.among);
-            args.closest.at[i] = node == kNone ? kNone : args.map.order.at[node];
-        }
         findNearest(args.map, query);
         sortNearest(args.map, query);
     }

@@ -16,7 +16,7 @@ void main() {
     }
     args.shadowRays.at[i].tMax = 0.0;
     VisiblePoint x = args.visiblePoints.at[i];
-    if (x.depth == 0u || x.depth + 1u > args.maxDepth) {
+    if (x.depth == 0u || x.depth + 1u > args.maxDepth || (args.bounceDepth != 0u && args.bounceDepth != x.depth)) {
         return;
     }
     uint vertex = x.depth - 1u;
@@ -28,8 +28,12 @@ void main() {
 
     LightSample toLight = sampleLight(light, x.position, sampleUnit(s, cameraLightPoint(vertex)));
     float cosine = dot(x.normal, toLight.direction);
+    float pmf = one ? light.pmf : 1.0;
     vec3 f = x.f * diffuseFactor(x.coat, cosine);
-    vec3 contribution = f * toLight.irradiance * cosine / (one ? light.pmf : 1.0);
+    vec3 contribution = f * toLight.irradiance * cosine / pmf;
+    if (args.bounceDepth != 0u && toLight.pdfW > 0.0) { // a ray by the cosine may meet the same place
+        contribution *= powerHeuristic(pmf * toLight.pdfW, max(cosine, 0.0) * kInvPi);
+    }
     if (maxComponent(contribution) > 0.0) { // also false when the light is behind the surface or touches it
         args.shadowRays.at[i] = Ray(x.position, toLight.distance, toLight.direction, x.from);
         args.contributions.at[i] = contribution;

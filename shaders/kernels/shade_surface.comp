@@ -35,7 +35,7 @@ void follow(uint slot, Surface s, BsdfSample next, CameraPath path, uint sampler
 // Emission counts in full where no light was sampled for the path's direction. The normal is the light's where the ray
 // meets it, `distance` away.
 float emissionWeight(LightRecord light, Ray ray, float distance, vec3 normal, CameraPath path) {
-    if (!sceneHasRoughLobes() || path.pdfW == 0.0) {
+    if (!(sceneHasRoughLobes() || kDiffuseBounces != 0u) || path.pdfW == 0.0) {
         return 1.0;
     }
     float pmf = args.split != 0u ? 1.0 : light.pmf;

@@ -223,11 +223,4 @@ BsdfValue evaluateLobe(Lobe lobe, vec3 normal, vec3 geometricNormal, vec3 wo, ve
     }
     return BsdfValue(weight * pdfW, pdfW);
 }
-
-// Weight of a sample of density `pdf` where another technique would have found the same with density `other`: the power
-// heuristic [Veach95].
-float powerHeuristic(float pdf, float other) {
-    float ratio = other / pdf;
-    return 1.0 / (1.0 + ratio * ratio);
-}
 #endif

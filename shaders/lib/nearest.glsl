@@ -1,4 +1,4 @@
-// The k photons nearest to a point, in a kd-tree or a grid of the photon table, and the nearest one alone. Squared
+// The k photons nearest to a point, in a kd-tree or a grid of the photon table. Squared
 // distances are computed alike everywhere and equal ones ordered by slot: what is found does not depend on the structure.
 #ifndef HYALITE_NEAREST_GLSL
 #define HYALITE_NEAREST_GLSL
@@ -142,20 +142,19 @@ void searchTree(PhotonMapRecord map, NearestQuery query) {
 }
 
 void searchGrid(PhotonMapRecord map, NearestQuery query) {
-    Ranges ranges = candidateRanges(query.position, query.radius, map.grid, map.cellStarts);
-    int row = 0;
-    uint photon = ranges.first.x;
-    uint end = ranges.end.x;
+    CellWalk walk = walkCells(query.position, query.radius, map.grid);
+    uint photon = 0u, end = 0u;
     while (true) {
         if (photon >= end) {
-            if (++row > 4) {
+            if (!nextRange(walk, map.grid, map.cellStarts, photon, end)) {
                 break;
             }
-            photon = row < 4 ? ranges.first[row] : 0u;
-            end = row < 4 ? ranges.end[row] : ranges.wrappedEnd;
             continue;
         }
-        offer(map, query, photon, texelFetch(photonTable, int(2u * (map.base + photon))));
+        vec4 place = texelFetch(photonTable, int(2u * (map.base + photon)));
+        if (isOfRow(walk, place.xyz, map.grid)) {
+            offer(map, query, photon, place);
+        }
         ++photon;
     }
 }
@@ -168,30 +167,5 @@ void findNearest(PhotonMapRecord map, NearestQuery query) {
     } else {
         searchGrid(map, query);
     }
-}
-
-// The nearest photon within `radius` on a surface that faces where `normal` points, among the first `count` nodes of the
-// tree at `base` of the photon table, which are a tree themselves: its node, or kNone. Of equally near ones any: which
-// one is found depends on the tree alone.
-uint nearestPhoton(vec3 position, vec3 normal, float radius, uint base, uint count) {
-    float reach2 = radius * radius;
-    uint nearest = kNone;
-    uint top = 0u;
-    uint node = 0u;
-    while (node < count) {
-        vec4 place = texelFetch(photonTable, int(2u * (base + node)));
-        vec3 way = place.xyz - position;
-        float distance2 = dot(way, way);
-        bool nearer = nearest == kNone ? distance2 <= reach2 : distance2 < reach2;
-        if (nearer) {
-            uint surface = floatBitsToUint(texelFetch(photonTable, int(2u * (base + node) + 1u)).w);
-            if (onSameSurface(normal, surface)) {
-                reach2 = distance2;
-                nearest = node;
-            }
-        }
-        node = nextNode(node, position, place, count, reach2, top);
-    }
-    return nearest;
 }
 #endif

@@ -41,4 +41,11 @@ vec3 uniformSphere(vec2 u) {
     vec2 sc = sinCosTurns(u.y);
     return vec3(radius * sc.y, radius * sc.x, z);
 }
+
+// Weight of a sample of density `pdf` where another technique would have found the same with density `other`: the power
+// heuristic [Veach95].
+float powerHeuristic(float pdf, float other) {
+    float ratio = other / pdf;
+    return 1.0 / (1.0 + ratio * ratio);
+}
 #endif

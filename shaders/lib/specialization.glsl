@@ -15,6 +15,9 @@ layout(constant_id = 3) const uint kMaterialTypes = 0xffffffffu;
 // 0: no material has a texture.
 layout(constant_id = 4) const uint kTextures = 1u;
 
+// 1: camera paths go on from diffuse surfaces, where lights were sampled for them. (5, 6: see nearest.glsl)
+layout(constant_id = 7) const uint kDiffuseBounces = 0u;
+
 bool sceneHas(uint shape) {
     return ((kShapeTypes >> shape) & 1u) != 0u;
 }

@@ -68,6 +68,21 @@ struct SampleLightsArguments {
     uint light; // sample this one, or kNone: one picked by the lights' pmf
     uint pass;
     uint maxDepth;
+    uint bounceDepth; // 0: all of them, and nothing else brings their light; else those of this depth alone, from which
+                      // paths go on and may meet the light too
+};
+
+// Sends camera paths on from the diffuse surfaces where they have just ended.
+struct BouncePathsArguments {
+    CameraPathArray paths;           // as they came to their hits
+    VisiblePointArray visiblePoints; // by pixel
+    RayArray nextRays;               // out, one per path
+    CameraPathArray nextPaths;       // out
+    UintArray alive;                 // out: 1 where a ray goes on from a diffuse surface, else as it was
+    uint count;
+    uint depth; // segments from the camera to the visible points
+    uint maxDepth;
+    uint pass;
 };
 
 struct TraceShadowArguments {
@@ -313,12 +328,10 @@ struct GatherRadianceArguments {
 struct NearestPhotonsArguments {
     VisiblePointArray visiblePoints;
     PhotonMapRecord map;
-    UintArray found;   // out, `nearest` for each point: slots of the photons, the nearest first; behind them kNone
-    UintArray closest; // out: slot of the closest on the same surface among the tree's first `among` nodes, or kNone
-    float radius;      // [m]; of a grid, at most the radius that it was built for
-    uint nearest;      // photons to find, at most kNearestCapacity
-    uint kinds;        // bit kPhoton… is set for every kind that counts
-    uint among;
+    UintArray found; // out, `nearest` for each point: slots of the photons, the nearest first; behind them kNone
+    float radius;    // [m]; of a grid, at most the radius that it was built for
+    uint nearest;    // photons to find, at most kNearestCapacity
+    uint kinds;      // bit kPhoton… is set for every kind that counts
     uint count;
     uint maxDepth;
 };

@@ -51,7 +51,7 @@ TEST_CASE("light sampling sends the reference's contribution along the reference
         INFO("light " << static_cast<int>(light));
         both.run("sample_lights",
                  shared::SampleLightsArguments{devicePoints, both.deviceScene.lights, rays, contributions, count,
-                                               lightCount, light, pass, both.scene.render.maxDepth},
+                                               lightCount, light, pass, both.scene.render.maxDepth, 0},
                  count);
         // The strongest contribution at one metre, both cosines 1: f times intensity or radiance times area, over pmf
         double full = 0;
@@ -67,8 +67,8 @@ TEST_CASE("light sampling sends the reference's contribution along the reference
         for (std::uint32_t i = 0; i < count; ++i) {
             const shared::VisiblePoint& p = points[i];
             const bool shortEnough = p.depth > 0 && p.depth + 1 <= both.scene.render.maxDepth;
-            const reference::VisiblePoint x{p.position, p.position, dvec3(p.normal), dvec3(p.normal),
-                                            dvec3(p.f), p.depth,    p.samplerSeed,   p.coat != 0};
+            const reference::VisiblePoint x{p.position, p.position,    dvec3(p.normal), dvec3(p.normal), dvec3(p.f),
+                                            p.depth,    p.samplerSeed, p.coat != 0,     nullptr};
             const auto one = light == shared::kNone ? std::nullopt : std::optional<std::uint32_t>(light);
             const auto sample = shortEnough ? reference::sampleLight(both.world, x, pass, one) : std::nullopt;
             const reference::LightSample expected = sample.value_or(reference::LightSample{});

@@ -119,14 +119,13 @@ TEST_CASE("tree and grid find exactly the photons that asking every photon finds
                 const auto points = queriesNear(set, 0.5 * radius, random);
                 const auto devicePoints = both.upload(points);
                 const auto found = both.room<shared::uint>(std::size_t{kQueries} * nearest);
-                const auto closest = both.room<shared::uint>(kQueries);
                 const render::PhotonSearch search{nearest, radius, kKinds, kMaxDepth};
                 std::vector<std::uint32_t> answers[2];
                 for (const auto structure : {render::PhotonStructure::Tree, render::PhotonStructure::Grid}) {
                     const bool isTree = structure == render::PhotonStructure::Tree;
                     const render::NearestPhotons query(both.device, structure, nearest);
                     query.run(both.device, isTree ? maps.tree.map() : maps.grid.map(), devicePoints, kQueries, search,
-                              found, closest, 0);
+                              found);
                     both.device.commands.finish();
                     answers[isTree ? 0 : 1] = found.read();
                 }
@@ -140,43 +139,6 @@ TEST_CASE("tree and grid find exactly the photons that asking every photon finds
                 }
                 REQUIRE(wrong == 0);
             }
-        }
-    }
-}
-
-TEST_CASE("the closest photon on the same surface is found among the first nodes of the tree") {
-    BothSides both(reference::test::cornellBox());
-    reference::test::Random random;
-    const render::NearestPhotons query(both.device, render::PhotonStructure::Tree, 1);
-    for (const PhotonSet& set : hardPhotonSets(kPhotons)) {
-        const MixedPhotons photons = mixed(set);
-        const Maps maps(both, photons.slots, 0.4F);
-        for (const std::uint32_t among : {1U, 2U, 100U, 1500U, 6000U}) {
-            INFO(set.name << ", the first " << among);
-            const float radius = among % 4 == 0 ? 0.4F : 3.0F;
-            const auto points = queriesNear(set, 0.3, random);
-            const auto devicePoints = both.upload(points);
-            const auto found = both.room<shared::uint>(kQueries);
-            const auto closest = both.room<shared::uint>(kQueries);
-            query.run(both.device, maps.tree.map(), devicePoints, kQueries, {1, radius, kKinds, kMaxDepth}, found,
-                      closest, among);
-            both.device.commands.finish();
-            const auto order = maps.tree.order().host();
-            std::size_t wrong = 0;
-            for (std::uint32_t i = 0; i < kQueries; ++i) {
-                float least = INFINITY;
-                for (std::uint32_t node = 0; node < std::min(among, maps.tree.photonCount()); ++node) {
-                    const float d2 = distance2(photons.slots[order[node]].position, points[i].position);
-                    least = photons.sameSurface[order[node]] && d2 <= radius * radius ? std::min(least, d2) : least;
-                }
-                const std::uint32_t slot = closest.host()[i];
-                const bool none = points[i].depth == 0 || least == INFINITY;
-                const bool right = none ? slot == shared::kNone
-                                        : slot != shared::kNone && photons.sameSurface[slot] &&
-                                              distance2(photons.slots[slot].position, points[i].position) == least;
-                wrong += right ? 0 : 1;
-            }
-            REQUIRE(wrong == 0);
         }
     }
 }

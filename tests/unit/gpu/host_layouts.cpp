@@ -52,7 +52,8 @@ std::map<std::string, HostLayout> hostLayouts() {
                 nextRays, nextPaths, alive, count, depth, maxDepth, pass, split, minWeight, roughPoints);
     HOST_LAYOUT(SampleRoughLightsArguments, roughPoints, lights, direct, count, lightCount, light, pass, rootNode);
     HOST_LAYOUT(SampleLightsArguments, visiblePoints, lights, shadowRays, contributions, count, lightCount, light, pass,
-                maxDepth);
+                maxDepth, bounceDepth);
+    HOST_LAYOUT(BouncePathsArguments, paths, visiblePoints, nextRays, nextPaths, alive, count, depth, maxDepth, pass);
     HOST_LAYOUT(TraceShadowArguments, shadowRays, contributions, direct, count, rootNode);
     HOST_LAYOUT(EmitPhotonsArguments, lights, rays, paths, count, lightCount, sequence);
     HOST_LAYOUT(ScatterPhotonArguments, rays, hits, paths, materials, normals, instances, photons, fates, nextRays,
@@ -78,8 +79,7 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(GatherRadianceArguments, visiblePoints, cellStarts, gathered, grid.inverseCellSize, grid.bucketMask,
                 radius, count, maxDepth);
     HOST_LAYOUT(NearestPhotonsArguments, visiblePoints, map.order, map.cellStarts, map.grid.inverseCellSize,
-                map.grid.bucketMask, map.base, map.count, found, closest, radius, nearest, kinds, among, count,
-                maxDepth);
+                map.grid.bucketMask, map.base, map.count, found, radius, nearest, kinds, count, maxDepth);
     HOST_LAYOUT(EstimateRadianceArguments, visiblePoints, map.order, map.cellStarts, map.grid.inverseCellSize,
                 map.grid.bucketMask, map.base, map.count, gathered, radii, radius, filterConstant, maxChange, nearest,
                 kinds, filterKind, count, maxDepth);

@@ -1,0 +1,37 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Path tracing goes on from diffuse surfaces, by the cosine. Roulette ends paths in proportion to what they still carry
+// [Arvo90].
+#include "shared/kernel_arguments.h"
+#include "lib/diffuse.glsl"
+#include "lib/sampling.glsl"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { BouncePathsArguments args; };
+
+void main() {
+    uint id = threadIndex();
+    if (id >= args.count || args.depth >= args.maxDepth) {
+        return;
+    }
+    CameraPath path = args.paths.at[id];
+    VisiblePoint x = args.visiblePoints.at[path.pixel];
+    if (x.depth != args.depth) {
+        return; // the path left by a lobe or has ended
+    }
+    uint vertex = x.depth - 1u;
+    Sampler numbers = Sampler(x.samplerSeed, args.pass);
+    vec3 direction = cosineHemisphere(sampleUnit(numbers, pathBounce(vertex)), x.normal);
+    if (dot(direction, unpackDirection(x.geometricNormal, 16u)) <= 0.0) {
+        return; // a smoothed normal leans over the edge of the surface: this way leads into it
+    }
+    float cosine = max(0.0, dot(direction, x.normal));
+    vec3 beta = x.f * (kPi * diffuseFactor(x.coat, cosine)); // f cos / (cos / pi)
+    float survival = min(1.0, maxComponent(beta));
+    if (sampleUnit(numbers, pathRoulette(vertex)).x >= survival) {
+        return;
+    }
+    args.nextRays.at[id] = Ray(x.position, kInfinity, direction, x.from);
+    args.nextPaths.at[id] = CameraPath(beta / survival, path.pixel, x.samplerSeed, path.medium, cosine * kInvPi);
+    args.alive.at[id] = 1u;
+}

@@ -1,0 +1,140 @@
+// Path tracing's own kernel, and what sample_lights does for it, against their twins.
+#include "kernel/every_light.h"
+#include "reference/path.h"
+#include "reference/rough_light.h"
+
+#include <algorithm>
+
+namespace hyalite::testing {
+
+namespace {
+
+constexpr std::uint32_t kPoints = 20000;
+constexpr std::uint32_t kDepth = 3; // where the paths of interest have just met a surface
+constexpr std::uint32_t kPass = 11;
+
+// Points with a normal of their own, coated or not, some of paths that ended elsewhere.
+std::vector<shared::VisiblePoint> somePoints() {
+    reference::test::Random random;
+    std::vector<shared::VisiblePoint> points(kPoints);
+    for (std::uint32_t i = 0; i < kPoints; ++i) {
+        points[i] = {random.inCube(0.9),
+                     i % 5 == 0 ? i % 3 : kDepth,
+                     vec3(0, 1, 0),
+                     shared::hash(i),
+                     vec3(0.3, 0.2, 0.1),
+                     i,
+                     0,
+                     0x7fffU | 0x7fffU << 16U,
+                     static_cast<float>(i % 2)};
+        points[i].normal = glm::normalize(vec3(random.inCube(0.3)) + vec3(0, 0, 1)); // leans against (0, 0, 1)
+    }
+    return points;
+}
+
+reference::VisiblePoint toReference(const shared::VisiblePoint& p) {
+    return {.position = p.position,
+            .shadowOrigin = p.position,
+            .normal = p.normal,
+            .geometricNormal = glm::normalize(dvec3(-1, -1, 65533)), // 0x7fff stands for -1/65535
+            .f = p.f,
+            .depth = p.depth,
+            .samplerSeed = p.samplerSeed,
+            .coated = p.coat != 0};
+}
+
+} // namespace
+
+TEST_CASE("paths go on from diffuse surfaces as the reference's do") {
+    BothSides both(reference::test::cornellBox());
+    both.world.render.maxDepth = 12;
+    const auto points = somePoints();
+    std::vector<shared::CameraPath> paths(kPoints);
+    for (std::uint32_t i = 0; i < kPoints; ++i) {
+        paths[i] = {vec3(1), i, shared::hash(i), i % 7, 0};
+    }
+    const auto devicePoints = both.upload(points);
+    const auto devicePaths = both.upload(paths);
+    const auto rays = both.room<shared::Ray>(kPoints);
+    const auto nextPaths = both.room<shared::CameraPath>(kPoints);
+    const auto alive = both.upload(std::vector<shared::uint>(kPoints, 0));
+    both.run(
+        "bounce_paths",
+        shared::BouncePathsArguments{devicePaths, devicePoints, rays, nextPaths, alive, kPoints, kDepth, 12, kPass},
+        kPoints);
+    std::size_t coins = 0;
+    std::size_t bounced = 0;
+    for (std::uint32_t i = 0; i < kPoints; ++i) {
+        INFO(i);
+        const bool isHere = points[i].depth == kDepth;
+        const auto expected = isHere ? reference::bouncePath(both.world, toReference(points[i]),
+                                                             {.samplerSeed = points[i].samplerSeed}, kPass)
+                                     : std::nullopt;
+        if (expected.has_value() != (alive.host()[i] != 0)) {
+            ++coins; // roulette within a rounding of its threshold, or a direction along the surface
+            continue;
+        }
+        if (!expected) {
+            continue;
+        }
+        ++bounced;
+        const shared::CameraPath& path = nextPaths.host()[i];
+        CHECK(glm::distance(dvec3(rays.host()[i].direction), expected->ray.direction) < 1e-5);
+        CHECK(glm::distance(dvec3(rays.host()[i].origin), expected->ray.origin) == 0);
+        // Along the surface a coat's factor is the fifth power of a small difference
+        CHECK(glm::distance(dvec3(path.beta), expected->path.beta) < 1e-4 * glm::length(expected->path.beta));
+        CHECK(std::abs(path.pdfW - expected->path.pdfW) < 1e-5);
+        CHECK(path.pixel == paths[i].pixel);
+        CHECK(path.medium == paths[i].medium);
+    }
+    CHECK(coins <= 3);
+    CHECK(bounced > kPoints / 10);
+    // The longest path ends here
+    const auto none = both.upload(std::vector<shared::uint>(kPoints, 0));
+    both.run(
+        "bounce_paths",
+        shared::BouncePathsArguments{devicePaths, devicePoints, rays, nextPaths, none, kPoints, kDepth, kDepth, kPass},
+        kPoints);
+    CHECK(std::ranges::count(none.host(), 0U) == kPoints);
+}
+
+TEST_CASE("light sampled for paths that go on is weighed against what they may meet themselves") {
+    BothSides both(everyLight());
+    const auto points = somePoints();
+    const auto devicePoints = both.upload(points);
+    const auto rays = both.room<shared::Ray>(kPoints);
+    const auto contributions = both.room<vec3>(kPoints);
+    const std::uint32_t maxDepth = both.scene.render.maxDepth;
+    both.run("sample_lights",
+             shared::SampleLightsArguments{devicePoints, both.deviceScene.lights, rays, contributions, kPoints,
+                                           both.deviceScene.lightCount, shared::kNone, kPass, maxDepth, kDepth},
+             kPoints);
+    std::size_t coins = 0;
+    std::size_t lit = 0;
+    std::size_t weighed = 0;
+    for (std::uint32_t i = 0; i < kPoints; ++i) {
+        INFO(i);
+        const bool isHere = points[i].depth == kDepth;
+        const auto sample =
+            isHere ? reference::sampleLight(both.world, toReference(points[i]), kPass, std::nullopt) : std::nullopt;
+        const reference::LightSample twin = sample.value_or(reference::LightSample{});
+        const shared::Ray& ray = rays.host()[i];
+        if (!sample || ray.tMax == 0) { // on the light's or the surface's horizon either side may say no
+            CHECK(glm::length(twin.contribution) < 1e-4);
+            CHECK((ray.tMax == 0 || glm::length(contributions.host()[i]) < 1e-4));
+            continue;
+        }
+        const double weight = twin.pdfW > 0 ? reference::powerHeuristic(twin.pdfW, twin.cosine / std::numbers::pi) : 1;
+        const dvec3 expected = weight * twin.contribution;
+        ++lit;
+        weighed += twin.pdfW > 0 ? 1 : 0;
+        // Another light, texel or triangle where a random number falls within a rounding of a limit between two;
+        // weights of points close to a lamp magnify the rounding of its distance
+        coins += glm::distance(dvec3(contributions.host()[i]), expected) > 2e-3 * glm::length(expected) ? 1 : 0;
+    }
+    CHECK(coins <= kPoints / 200);
+    CHECK(lit > kPoints / 10);
+    CHECK(weighed > lit / 10);
+}
+
+} // namespace hyalite::testing
