@@ -48,6 +48,12 @@ std::string jsonReport(const RenderReport& report) {
                                     {"escaped", colorOf(light.escaped)},
                                     {"cut_off", colorOf(light.cutOff)}});
     }
+    if (report.notes.searchRadius > 0) {
+        object["search_radius"] = report.notes.searchRadius;
+    }
+    if (report.notes.causticSearchRadius > 0) {
+        object["caustic_search_radius"] = report.notes.causticSearchRadius;
+    }
     object["warnings"] = report.notes.warnings;
     for (const auto& [name, time] : report.stages) {
         object["stages"][name] = {

@@ -4,6 +4,8 @@
 #include "reference/materials.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -15,6 +17,8 @@
 namespace hyalite::reference {
 
 namespace {
+
+using std::numbers::pi;
 
 struct PhotonCloud { // the interface nanoflann asks of its points
     std::vector<Photon> photons;
@@ -132,6 +136,31 @@ std::vector<PhotonMap::Neighbour> PhotonMap::nearest(const glm::dvec3& x, std::s
     return neighbours;
 }
 
+double discOnQuad(const Quad& quad, const glm::dvec3& center, double radius) {
+    const glm::dvec3 normal = glm::normalize(glm::cross(quad.edge0, quad.edge1));
+    const std::array<glm::dvec3, 4> corners{quad.corner, quad.corner + quad.edge0,
+                                            quad.corner + quad.edge0 + quad.edge1, quad.corner + quad.edge1};
+    // In polar coordinates about the centre the area is half the integral of min(rho, r)^2 over the angle, side by
+    // side. At the angle phi from the perpendicular, h long, a side has rho = h / cos(phi), and h^2 / cos^2 is the
+    // derivative of h^2 tan; it lies within the disc where |phi| < acos(h / r).
+    double area = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const glm::dvec3 a = corners[i] - center;
+        const glm::dvec3 b = corners[(i + 1) % 4] - center;
+        const glm::dvec3 side = glm::normalize(b - a);
+        const double h = glm::dot(glm::cross(a, side), normal); // negative: seen from beyond the side
+        const double within = std::abs(h) < radius ? std::acos(std::abs(h) / radius) : 0;
+        const auto integral = [&](const glm::dvec3& end) {
+            const double phi = std::atan2(glm::dot(end, side), std::abs(h));
+            const double inDisc = std::clamp(phi, -within, within);
+            return (h * h * std::tan(inDisc) + radius * radius * (phi - inDisc)) / 2;
+        };
+        area += std::copysign(integral(b) - integral(a), h);
+    }
+    const double whole = pi * radius * radius;
+    return std::clamp(area, whole / 1024, whole);
+}
+
 glm::dvec3 gatherRadiance(const PhotonMap& map, const VisiblePoint& x, double radius, std::uint32_t maxDepth) {
     glm::dvec3 power(0);
     for (const std::uint32_t index : map.near(x.position, radius)) {
@@ -144,7 +173,7 @@ glm::dvec3 gatherRadiance(const PhotonMap& map, const VisiblePoint& x, double ra
             power += photon.power * (x.coated ? coatTransmission(cosIn) : 1);
         }
     }
-    return x.f * power / (std::numbers::pi * radius * radius);
+    return x.f * power / (x.quad != nullptr ? discOnQuad(*x.quad, x.position, radius) : pi * radius * radius);
 }
 
 } // namespace hyalite::reference

@@ -2,9 +2,11 @@
 // converges, since bias and variance both go to zero [Knaus11].
 #include "reference/ppm.h"
 
+#include "geometry/search_radius.h"
 #include "reference/film.h"
 #include "reference/shading.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hyalite::reference {
@@ -20,21 +22,57 @@ glm::dvec3 directLight(const World& world, const VisiblePoint& x, std::uint32_t 
     return sample && traceShadow(world, sample->from, sample->to) ? sample->contribution : glm::dvec3(0);
 }
 
-glm::dvec3 tracePath(const World& world, const PhotonMap& photons, double radius, const Ray& ray,
-                     const CameraPath& path, std::uint32_t depth, std::uint32_t pass) {
+bool hasCausticMap(const World& world) {
+    return world.render.photonMap.causticPhotons > 0 && !world.targets.empty();
+}
+
+PhotonPass globalPass(const World& world, std::uint32_t pass) {
+    PhotonPass global = progressivePass(world, pass);
+    if (hasCausticMap(world)) {
+        global.kinds = kindBit(PhotonKind::Indirect);
+    }
+    return global;
+}
+
+PhotonPass causticPass(const World& world, std::uint32_t pass) {
+    return {.sequence = shared::photonSequence(world.render.seed, shared::kCausticPhotons, pass),
+            .count = world.render.photonMap.causticPhotons,
+            .kinds = kindBit(PhotonKind::Caustic),
+            .aimed = world.render.photonMap.projectionMap};
+}
+
+double radiusByPilot(const World& world, PhotonPass pilot, double wanted) {
+    const std::uint32_t emitted = pilot.count;
+    pilot.count = std::min(emitted, kPilotPhotons);
+    std::vector<glm::dvec3> positions;
+    for (const Photon& photon : tracePhotons(world, pilot)) {
+        positions.push_back(photon.position);
+    }
+    return searchRadiusFor(wanted, positions, pilot.count, emitted, world.sceneRadius);
+}
+
+glm::dvec3 gather(const ProgressiveMap& map, const VisiblePoint& x, const World& world) {
+    return gatherRadiance(map.photons, x, map.radius, world.render.maxDepth);
+}
+
+glm::dvec3 tracePath(const World& world, const ProgressiveMaps& maps, const Ray& ray, const CameraPath& path,
+                     std::uint32_t depth, std::uint32_t pass) {
     const std::optional<Hit> hit = traceClosest(world, ray);
     const Shading shading = hit ? shadeSurface(world, ray, *hit, path, depth, pass) : shadeMiss(world, ray, path);
     glm::dvec3 L = shading.emitted;
     if (shading.visible) {
         L += directLight(world, *shading.visible, pass);
-        L += gatherRadiance(photons, *shading.visible, radius, world.render.maxDepth);
+        L += gather(maps.global, *shading.visible, world);
+        if (maps.caustic) {
+            L += gather(*maps.caustic, *shading.visible, world);
+        }
     }
     if (shading.rough) {
         L += directRoughLight(world, *shading.rough, pass);
     }
     for (const std::optional<NextRay>& next : shading.next) {
         if (next) {
-            L += tracePath(world, photons, radius, next->ray, next->path, depth + 1, pass);
+            L += tracePath(world, maps, next->ray, next->path, depth + 1, pass);
         }
     }
     return L;
@@ -42,10 +80,29 @@ glm::dvec3 tracePath(const World& world, const PhotonMap& photons, double radius
 
 } // namespace
 
-glm::dvec3 ppmRadiance(const World& world, const PhotonMap& photons, double radius, std::uint32_t pixel,
-                       std::uint32_t pass) {
-    return tracePath(world, photons, radius, generateCameraRay(world, pixel, pass), beginCameraPath(world, pixel, pass),
-                     1, pass);
+SearchRadii firstRadii(const World& world) {
+    const double globalRadius = world.render.radius;
+    const double causticRadius = world.render.photonMap.causticRadius;
+    SearchRadii radii;
+    radii.global = globalRadius > 0 ? globalRadius : radiusByPilot(world, globalPass(world, 0), kPhotonsPerSearch);
+    if (hasCausticMap(world)) {
+        radii.caustic =
+            causticRadius > 0 ? causticRadius : radiusByPilot(world, causticPass(world, 0), kCausticPhotonsPerSearch);
+    }
+    return radii;
+}
+
+ProgressiveMaps traceProgressive(const World& world, const SearchRadii& radii, std::uint32_t pass) {
+    ProgressiveMaps maps{.global = {PhotonMap(tracePhotons(world, globalPass(world, pass))), radii.global},
+                         .caustic = std::nullopt};
+    if (hasCausticMap(world)) {
+        maps.caustic = {PhotonMap(tracePhotons(world, causticPass(world, pass))), radii.caustic};
+    }
+    return maps;
+}
+
+glm::dvec3 ppmRadiance(const World& world, const ProgressiveMaps& maps, std::uint32_t pixel, std::uint32_t pass) {
+    return tracePath(world, maps, generateCameraRay(world, pixel, pass), beginCameraPath(world, pixel, pass), 1, pass);
 }
 
 double nextRadius2(double radius2, std::uint32_t pass, double alpha) {
@@ -56,14 +113,16 @@ double nextRadius2(double radius2, std::uint32_t pass, double alpha) {
 
 Image renderPpm(const World& world, const RenderOptions& options) {
     Film film(world.camera.width, world.camera.height);
-    double radius2 = world.initialRadius * world.initialRadius;
+    SearchRadii radii = firstRadii(world);
     for (std::uint32_t pass = 0; pass < world.render.passes; ++pass) {
-        const PhotonMap photons(tracePhotons(world, progressivePass(world, pass)));
-        film.addPass([&](std::uint32_t pixel) { return ppmRadiance(world, photons, std::sqrt(radius2), pixel, pass); });
+        const ProgressiveMaps maps = traceProgressive(world, radii, pass);
+        film.addPass([&](std::uint32_t pixel) { return ppmRadiance(world, maps, pixel, pass); });
         if (options.afterPass && !options.afterPass(pass + 1)) {
             break;
         }
-        radius2 = nextRadius2(radius2, pass, world.render.alpha);
+        for (double* radius : {&radii.global, &radii.caustic}) {
+            *radius = std::sqrt(nextRadius2(*radius * *radius, pass, world.render.alpha));
+        }
     }
     return film.mean();
 }

@@ -86,7 +86,8 @@ VisiblePoint visibleAt(const Surface& surface, const DiffusePart& diffuse, const
             .f = path.beta * f,
             .depth = depth,
             .samplerSeed = path.samplerSeed,
-            .coated = diffuse.coated};
+            .coated = diffuse.coated,
+            .quad = surface.quad};
 }
 
 } // namespace

@@ -151,7 +151,7 @@ SurfacePoint surfaceOf(const Geometry& geometry, const Ray& ray, const Hit& hit)
 World prepareWorld(const Scene& scene) {
     World world{.camera = makeCameraFrame(scene.camera, scene.file),
                 .render = scene.render,
-                .initialRadius = initialRadius(scene),
+                .sceneRadius = sceneRadius(scene),
                 .globalRadius = globalSearchRadius(scene),
                 .causticRadius = causticSearchRadius(scene),
                 .targets = specularTargets(scene),
@@ -219,6 +219,7 @@ Surface evaluateSurface(const World& world, const Ray& ray, const Hit& hit) {
     if (surface.front) {
         surface.emission = object.emission;
     }
+    surface.quad = std::get_if<Quad>(&object.shape);
     const auto& material = hit.leaf == kNoLeaf ? object.material : world.csgLeaves.at(hit.leaf).material;
     if (material) {
         surface.material = &world.materials.at(*material);

@@ -23,10 +23,10 @@ using Geometry = std::variant<Solid, Quad, Disk, CsgTree>;
 struct World {
     CameraFrame camera;
     RenderSettings render;
-    double initialRadius = 0;            // ppm: search radius of pass 0 [m]
+    double sceneRadius = 0;              // of the sphere around what has an end [m]
     double globalRadius = 0;             // photonmap: photons of an estimate lie no farther [m]
     double causticRadius = 0;            // photonmap: those of caustics [m]
-    std::vector<BoundingSphere> targets; // photonmap: what caustic photons are aimed at
+    std::vector<BoundingSphere> targets; // what caustic photons are aimed at
     std::vector<Texture> textures;
     std::vector<Material> materials;
     std::vector<Object> objects;
@@ -69,6 +69,7 @@ struct Surface {
     const Material* material = nullptr; // of the world; nullptr: absorbs
     glm::dvec2 uv{0};                   // for textures
     glm::dvec3 emission{0};             // radiance towards where the ray came from [W/(m^2 sr)]
+    const Quad* quad = nullptr;         // of the world: the parallelogram that this is on; nullptr: another shape
 };
 [[nodiscard]] Surface evaluateSurface(const World& world, const Ray& ray, const Hit& hit);
 

@@ -17,12 +17,14 @@ struct Counts {
     std::uint64_t photonsEmitted = 0;
     std::uint64_t photonsStored = 0;
     std::uint64_t shadowRaysSaved = 0;       // photonmap: answered by shadow photons
-    std::uint64_t causticPhotonsEmitted = 0; // photonmap: for the caustic map
+    std::uint64_t causticPhotonsEmitted = 0; // ppm, photonmap: for the caustics alone
     std::uint64_t causticPhotonsStored = 0;
 };
 
 // What a user should know of a picture besides the picture.
 struct RenderNotes {
+    double searchRadius = 0;           // ppm: of the first pass [m]
+    double causticSearchRadius = 0;    // ppm: the same among the caustic photons [m]; 0: these have no map of their own
     std::vector<LightBalance> lights;  // photonmap: what became of the flux of each light
     std::vector<std::string> warnings; // sentences
 };

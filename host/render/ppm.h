@@ -17,7 +17,9 @@ namespace hyalite::render {
 class Ppm final : public PassIntegrator {
 public:
     // The layers of its film.
-    [[nodiscard]] static std::vector<LayerKind> layers() { return {{"emitted"}, {"direct"}, {"photons"}}; }
+    [[nodiscard]] static std::vector<LayerKind> layers() {
+        return {{"emitted"}, {"direct"}, {"caustic"}, {"indirect"}};
+    }
 
     // References are kept.
     Ppm(Device& device, const Scene& scene, const DeviceScene& deviceScene, const Film& film);
@@ -25,19 +27,32 @@ public:
     void renderPass(std::uint32_t pass) override;
 
 private:
+    // The photons of a pass that light one layer of the film.
+    struct Photons {
+        std::uint32_t purpose; // shared::kGlobalPhotons, kCausticPhotons
+        std::uint32_t count;   // emitted
+        std::uint32_t kinds;   // that are stored, see PhotonPass
+        bool aimed;
+        std::uint32_t layer;
+        double radius; // of pass 0 [m]
+    };
+    [[nodiscard]] std::vector<Photons> photonsOf(const Scene& scene, const DeviceScene& deviceScene);
+    [[nodiscard]] PhotonPass photonPass(const Photons& photons, std::uint32_t pass) const;
+    [[nodiscard]] double radiusByPilot(const Photons& photons);
+
     void sampleDirectLight(std::uint32_t pass);
-    void gatherPhotons(std::uint32_t pass, std::uint32_t slots);
+    void gather(const Photons& photons, std::uint32_t pass);
 
     Device& device_;
     const Scene& scene_;
     const Film& film_;
-    double initialRadius_;
 
     CameraPaths cameraPaths_;
     LightSampler lightSampler_;
     PhotonPaths photonPaths_;
     PhotonGrid grid_;
     gpu::Kernel gatherRadiance_;
+    std::vector<Photons> photons_;
 
     gpu::Array<shared::VisiblePoint> visiblePoints_;
     gpu::Array<glm::vec3> emitted_;

@@ -162,10 +162,6 @@ double sceneRadius(const Scene& scene) {
     return glm::length(box.high - box.low) / 2;
 }
 
-double initialRadius(const Scene& scene) {
-    return scene.render.radius > 0 ? scene.render.radius : sceneRadius(scene) / 100;
-}
-
 double globalSearchRadius(const Scene& scene) {
     return scene.render.radius > 0 ? scene.render.radius : sceneRadius(scene) / 8;
 }

@@ -40,9 +40,6 @@ struct LightSphere {
 // Radius of the scene's bounding sphere [m]: half the diagonal of its bounds.
 [[nodiscard]] double sceneRadius(const Scene& scene);
 
-// Search radius of the first pass [m]: render.radius or, where that is 0, 1/100 of sceneRadius.
-[[nodiscard]] double initialRadius(const Scene& scene);
-
 // photonmap: how far from a point the photons of an estimate may lie [m]: render.radius and its caustic_radius or,
 // where these are 0, 1/8 and 1/25 of sceneRadius.
 [[nodiscard]] double globalSearchRadius(const Scene& scene);

@@ -1,9 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Radiance estimate at every visible point: the flux of the photons in a disc about it, over the disc's area
-// [Jensen01, ch. 7], here with a fixed radius.
+// [Jensen01, ch. 7], here with a fixed radius and without what of the disc lies beyond the edges of the surface.
 #include "shared/kernel_arguments.h"
 #include "lib/diffuse.glsl"
+#include "lib/disc.glsl"
 #include "lib/grid.glsl"
 #include "lib/photon.glsl"
 #include "lib/thread.glsl"
@@ -11,7 +12,7 @@
 layout(push_constant, scalar) uniform Push { GatherRadianceArguments args; };
 
 // Flux of the photon that the coat lets in, if it counts for x, else 0.
-vec3 photonFlux(VisiblePoint x, vec3 normal, uint photon) {
+vec3 photonFlux(VisiblePoint x, vec3 normal, CellWalk walk, uint photon) {
     vec4 place = texelFetch(photonTable, int(2u * photon));
     vec3 offset = place.xyz - x.position;
     if (dot(offset, offset) > args.radius * args.radius || abs(dot(offset, normal)) > kPlaneDistance * args.radius) {
@@ -20,7 +21,8 @@ vec3 photonFlux(VisiblePoint x, vec3 normal, uint photon) {
     vec4 rest = texelFetch(photonTable, int(2u * photon + 1u));
     uint surface = floatBitsToUint(rest.w);
     uint direction = floatBitsToUint(place.w);
-    if (!onSameSide(x.normal, direction, surface) || photonLength(surface) + x.depth > args.maxDepth) {
+    if (!onSameSide(x.normal, direction, surface) || photonLength(surface) + x.depth > args.maxDepth ||
+        !isOfRow(walk, place.xyz, args.grid)) {
         return vec3(0.0);
     }
     if (x.coat == 0.0) {
@@ -38,22 +40,19 @@ void main() {
     vec3 flux = vec3(0.0);
     if (x.depth != 0u) {
         vec3 normal = normalize(unpackDirection(x.geometricNormal, 16u));
-        Ranges ranges = candidateRanges(x.position, args.radius, args.grid, args.cellStarts);
         // One loop over all rows: neighbouring threads stay together although their rows differ in length
-        int row = 0;
-        uint photon = ranges.first.x;
-        uint end = ranges.end.x;
+        CellWalk walk = walkCells(x.position, args.radius, args.grid);
+        uint photon = 0u, end = 0u;
         while (true) {
             if (photon >= end) {
-                if (++row > 4) {
+                if (!nextRange(walk, args.grid, args.cellStarts, photon, end)) {
                     break;
                 }
-                photon = row < 4 ? ranges.first[row] : 0u;
-                end = row < 4 ? ranges.end[row] : ranges.wrappedEnd;
                 continue;
             }
-            flux += photonFlux(x, normal, photon++);
+            flux += photonFlux(x, normal, walk, photon++);
         }
     }
-    args.gathered.at[i] = x.f * flux / (kPi * args.radius * args.radius);
+    bool found = maxComponent(flux) > 0.0;
+    args.gathered.at[i] = found ? x.f * flux / discArea(x.position, x.from, args.radius) : vec3(0.0);
 }

@@ -13,37 +13,64 @@ uint bucketOf(vec3 position, GridRecord grid) {
     return cellBucket(cellOf(position, grid), grid.bucketMask);
 }
 
-// The photons that a query has to look at: four rows of two cells, each row one range of the sorted photons, and what
-// lies beyond the end of the table in the rare row that wraps around to bucket 0.
-struct Ranges {
-    uvec4 first;
-    uvec4 end;
-    uint wrappedEnd;
+// A walk through the cells that a ball reaches into, row by row along x. The cells of a row stand in successive buckets:
+// each row is one range of the sorted photons, or two where it wraps around the end of the table.
+struct CellWalk {
+    ivec2 row;      // y and z of the cells where the walk is
+    ivec2 next;     // and of those that come next
+    ivec2 low;      // and of the first row
+    ivec2 high;     // and of the last
+    uint wrapped;   // so many buckets at the beginning of the table belong to the present row too
+    vec3 position;  // the ball's centre [m]
+    float reach2;   // its squared radius, and a little more: rounding must not hide a photon [m^2]
 };
 
-// A cell is as wide as the disc, which so reaches into two cells along each axis. Different cells may share a bucket:
-// a bucket that an earlier row holds is left out of a later one, so that no photon is met twice.
-Ranges candidateRanges(vec3 position, float radius, GridRecord grid, UintArray cellStarts) {
-    ivec3 low = cellOf(position - radius, grid);
-    uint mask = grid.bucketMask;
-    uvec4 bucket;
-    Ranges ranges;
-    ranges.wrappedEnd = 0u;
-    for (int row = 0; row < 4; ++row) {
-        bucket[row] = cellBucket(low + ivec3(0, row & 1, row >> 1), mask);
-        bool takeFirst = true, takeSecond = true;
-        for (int earlier = 0; earlier < row; ++earlier) {
-            uint ahead = (bucket[row] - bucket[earlier]) & mask;
-            takeFirst = takeFirst && ahead != 0u && ahead != 1u;
-            takeSecond = takeSecond && ahead != 0u && ahead != mask;
-        }
-        bool wraps = bucket[row] == mask;
-        ranges.first[row] = cellStarts.at[bucket[row] + (takeFirst ? 0u : 1u)];
-        ranges.end[row] = cellStarts.at[bucket[row] + (takeSecond && !wraps ? 2u : 1u)];
-        if (wraps && takeSecond) {
-            ranges.wrappedEnd = cellStarts.at[1];
-        }
+CellWalk walkCells(vec3 position, float radius, GridRecord grid) {
+    float reach = 1.0009765625 * radius;
+    ivec2 low = cellOf(position - reach, grid).yz;
+    ivec2 high = cellOf(position + reach, grid).yz;
+    return CellWalk(low, low, low, high, 0u, position, reach * reach);
+}
+
+// The next range of photons, from `first` to before `end`, which may be empty; false: the walk is over.
+bool nextRange(inout CellWalk walk, GridRecord grid, UintArray cellStarts, out uint first, out uint end) {
+    first = 0u;
+    end = 0u;
+    if (walk.wrapped > 0u) {
+        end = cellStarts.at[walk.wrapped];
+        walk.wrapped = 0u;
+        return true;
     }
-    return ranges;
+    if (walk.next.y > walk.high.y) {
+        return false;
+    }
+    walk.row = walk.next;
+    bool isLastOfLayer = walk.row.x == walk.high.x;
+    walk.next = isLastOfLayer ? ivec2(walk.low.x, walk.row.y + 1) : ivec2(walk.row.x + 1, walk.row.y);
+    // How far the row is from the centre, and how far the ball reaches along it
+    vec2 edge = vec2(walk.row) / grid.inverseCellSize;
+    vec2 away = max(max(edge - walk.position.yz, walk.position.yz - edge - 1.0 / grid.inverseCellSize), vec2(0.0));
+    float reach2 = walk.reach2 - dot(away, away);
+    if (reach2 < 0.0) {
+        return true;
+    }
+    vec3 along = vec3(sqrt(reach2), 0.0, 0.0);
+    int left = cellOf(walk.position - along, grid).x;
+    int right = cellOf(walk.position + along, grid).x;
+    uint bucket = cellBucket(ivec3(left, walk.row), grid.bucketMask);
+    uint last = bucket + uint(right - left);
+    if (last > grid.bucketMask) {
+        walk.wrapped = last - grid.bucketMask;
+        last = grid.bucketMask;
+    }
+    first = cellStarts.at[bucket];
+    end = cellStarts.at[last + 1u];
+    return true;
+}
+
+// Is the photon here of the row where the walk is? Cells of several rows may share a bucket, and their photons are met
+// once for each.
+bool isOfRow(CellWalk walk, vec3 position, GridRecord grid) {
+    return cellOf(position, grid).yz == walk.row;
 }
 #endif

@@ -138,14 +138,77 @@ TEST_CASE("gathering meets every photon of the disc once, also where cells share
             std::size_t edge = 0; // a photon on the rim of the disc, in on one side and out on the other
             for (std::uint32_t i = 0; i < count; ++i) {
                 const dvec3 normal = glm::normalize(dvec3(-1, -1, 65533)); // 0x7fff stands for -1/65535
-                const reference::VisiblePoint x{
-                    points[i].position, points[i].position, {0, 0, 1}, normal, dvec3(1), 1, 0, points[i].coat != 0};
+                const reference::VisiblePoint x{points[i].position,
+                                                points[i].position,
+                                                {0, 0, 1},
+                                                normal,
+                                                dvec3(1),
+                                                1,
+                                                0,
+                                                points[i].coat != 0,
+                                                nullptr};
                 const double expected = reference::gatherRadiance(map, x, radius, 12).x;
                 const double actual = gathered.host()[i].x;
                 edge += std::abs(actual - expected) > 1e-4 * expected ? 1 : 0;
             }
             CHECK(edge <= count / 200);
         }
+    }
+}
+
+TEST_CASE("a disc that reaches over the edges of a parallelogram counts with what lies on it") {
+    // Photons all over a slanted parallelogram, and points up to its edges and corners
+    Scene scene;
+    const Quad quad{{-0.5, -0.4, 0}, {1.1, 0.2, 0}, {-0.3, 0.9, 0}};
+    const std::size_t white = reference::test::addMaterial(scene, Diffuse{dvec3(0.7)});
+    reference::test::addObject(scene, Sphere{{0, 0, -5}, 1}, white);
+    reference::test::addObject(scene, quad, white);
+    scene.lights = {{{0, 0, 3}, dvec3(1)}};
+    BothSides both(std::move(scene));
+    reference::test::Random random;
+    const auto onQuad = [&](double u, double v) { return quad.corner + u * quad.edge0 + v * quad.edge1; };
+    std::vector<shared::Photon> photons;
+    std::vector<reference::Photon> stored;
+    for (std::uint32_t i = 0; i < 4000; ++i) {
+        const dvec3 at = random.inCube(0.5) + 0.5;
+        photons.push_back(photonAt(onQuad(at.x, at.y), 1));
+        stored.push_back(toReference(photons.back(), i));
+    }
+    const reference::PhotonMap map(stored);
+    std::vector<shared::VisiblePoint> points;
+    const std::uint32_t quadObject = both.sceneObject(0) == 1 ? 0 : 1;
+    REQUIRE(both.sceneObject(quadObject) == 1);
+    for (std::uint32_t i = 0; i < 3000; ++i) {
+        dvec3 at = random.inCube(0.5) + 0.5;
+        at.x = i % 3 == 0 ? std::round(at.x) : at.x; // on an edge, or a corner
+        at.y = i % 5 == 0 ? std::round(at.y) : at.y;
+        points.push_back({onQuad(at.x, at.y), 1, vec3(0, 0, 1), 0, vec3(1), i, 1 + quadObject, kUp16, 0});
+    }
+    render::PhotonGrid grid(both.device);
+    const auto devicePhotons = both.upload(photons);
+    const auto devicePoints = both.upload(points);
+    const auto count = static_cast<std::uint32_t>(points.size());
+    const auto gathered = both.room<vec3>(count);
+    for (const float radius : {0.05F, 0.3F, 2.0F}) { // the last covers all of it
+        INFO("radius " << radius);
+        grid.build(both.device, devicePhotons, 4000, radius);
+        both.run("gather_radiance",
+                 shared::GatherRadianceArguments{devicePoints, grid.cellStarts(), gathered, grid.record(), radius,
+                                                 count, 12},
+                 count);
+        std::size_t edge = 0; // a photon on the rim of the disc, in on one side and out on the other
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const reference::VisiblePoint x{.position = points[i].position,
+                                            .shadowOrigin = points[i].position,
+                                            .normal = {0, 0, 1},
+                                            .geometricNormal = {0, 0, 1},
+                                            .f = dvec3(1),
+                                            .depth = 1,
+                                            .quad = &quad};
+            const double expected = reference::gatherRadiance(map, x, radius, 12).x;
+            edge += std::abs(gathered.host()[i].x - expected) > 1e-4 * expected ? 1 : 0;
+        }
+        CHECK(edge <= count / 200);
     }
 }
 

@@ -52,6 +52,43 @@ TEST_CASE("the map finds the photons that asking every photon finds, in ascendin
     CHECK(found > 500);
 }
 
+TEST_CASE("a disc shares with a parallelogram what plane geometry says") {
+    // A strip of width w, much longer than the disc: about its middle line the disc shares 2 (h sqrt(r^2 - h^2) + r^2
+    // asin(h / r)) with it, h = w / 2.
+    const double pi = std::numbers::pi;
+    const hyalite::Quad square{{0, 0, 0}, {0, 0, 2}, {2, 0, 0}};
+    CHECK_THAT(discOnQuad(square, {1, 0, 1}, 0.9), WithinRel(pi * 0.81, 1e-12));
+    CHECK_THAT(discOnQuad(square, {1, 0, 1}, 2), WithinRel(4, 1e-12)); // all of it
+    CHECK_THAT(discOnQuad(square, {0, 0, 1}, 0.5), WithinRel(pi * 0.25 / 2, 1e-12));
+    CHECK_THAT(discOnQuad(square, {2, 0, 0}, 0.5), WithinRel(pi * 0.25 / 4, 1e-12));
+    // A corner of 60 degrees holds a sixth of the disc
+    const hyalite::Quad rhomb{{0, 0, 0}, {2, 0, 0}, {1, 0, -std::sqrt(3.0)}};
+    CHECK_THAT(discOnQuad(rhomb, {0, 0, 0}, 1), WithinRel(pi / 6, 1e-12));
+    const hyalite::Quad strip{{-50, 3, -0.1}, {0, 0, 0.2}, {100, 0, 0}};
+    const double h = 0.1;
+    const double r = 0.7;
+    CHECK_THAT(discOnQuad(strip, {0, 3, 0}, r),
+               WithinRel(2 * (h * std::sqrt(r * r - h * h) + r * r * std::asin(h / r)), 1e-12));
+    // By chance: a slanted parallelogram, its area times the share of its points that lie in the disc
+    Random random;
+    const hyalite::Quad slanted{{-0.5, 0, -0.4}, {1.1, 0.3, 0.2}, {-0.3, 0.2, 0.9}};
+    const double whole = glm::length(glm::cross(slanted.edge0, slanted.edge1));
+    for (int trial = 0; trial < 20; ++trial) {
+        const dvec3 at = random.inCube(0.5) + 0.5;
+        const dvec3 center = slanted.corner + at.x * slanted.edge0 + at.y * slanted.edge1;
+        int within = 0;
+        constexpr int kPoints = 40000;
+        for (int i = 0; i < kPoints; ++i) {
+            const dvec3 uv = random.inCube(0.5) + 0.5;
+            within += glm::distance(slanted.corner + uv.x * slanted.edge0 + uv.y * slanted.edge1, center) < 0.45;
+        }
+        const double share = static_cast<double>(within) / kPoints;
+        // Five standard errors
+        CHECK_THAT(discOnQuad(slanted, center, 0.45),
+                   WithinAbs(whole * share, 5 * whole * std::sqrt(share * (1 - share) / kPoints)));
+    }
+}
+
 TEST_CASE("a photon exactly on the rim counts") {
     const PhotonMap map({onFloor({0.5, 0, 0}), onFloor({0, 0, 0.5000001})});
     CHECK(map.near({0, 0, 0}, 0.5) == std::vector<std::uint32_t>{0});

@@ -36,13 +36,14 @@ TEST_CASE("a point light over an open floor gives albedo / pi I cos / d^2 by the
     scene.lights = {{.position = {1, 2, 0}, .intensity = dvec3(10)}};
     scene.render.photons = 500;
     const World world = prepareWorld(scene);
-    const PhotonMap photons(tracePhotons(world, progressivePass(world, 0)));
-    CHECK(photons.photons().empty());
+    const ProgressiveMaps maps = traceProgressive(world, {.global = 0.1}, 0);
+    CHECK(maps.global.photons.photons().empty());
+    CHECK_FALSE(maps.caustic);
     const double expected = 0.6 / pi * 10 * 2 / (5 * std::sqrt(5.0));
-    CHECK_THAT(ppmRadiance(world, photons, 0.1, 0, 0).x, WithinRel(expected, 1e-3)); // the footprint, see whitted
+    CHECK_THAT(ppmRadiance(world, maps, 0, 0).x, WithinRel(expected, 1e-3)); // the footprint, see whitted
     // One segment sees the floor but has none left for the light.
     scene.render.maxDepth = 1;
-    CHECK(ppmRadiance(prepareWorld(scene), photons, 0.1, 0, 0).x == 0);
+    CHECK(ppmRadiance(prepareWorld(scene), maps, 0, 0).x == 0);
 }
 
 TEST_CASE("a hollow sphere of albedo 1/2 glows with twice its direct light") {
@@ -126,14 +127,15 @@ TEST_CASE("the same scene and seed give the same bits, another seed others") {
 TEST_CASE("the picture shared out over the cores is the mean of its pixels taken one by one") {
     const Scene scene = cornellBox();
     const World world = prepareWorld(scene);
-    const PhotonMap first(tracePhotons(world, progressivePass(world, 0)));
-    const PhotonMap second(tracePhotons(world, progressivePass(world, 1)));
-    const double radius2 = world.initialRadius * world.initialRadius;
-    const double secondRadius = std::sqrt(nextRadius2(radius2, 0, scene.render.alpha));
+    SearchRadii radii = firstRadii(world);
+    const ProgressiveMaps first = traceProgressive(world, radii, 0);
+    for (double* radius : {&radii.global, &radii.caustic}) {
+        *radius = std::sqrt(nextRadius2(*radius * *radius, 0, scene.render.alpha));
+    }
+    const ProgressiveMaps second = traceProgressive(world, radii, 1);
     const Image image = render(scene).picture;
     for (std::uint32_t pixel = 0; pixel < 256; ++pixel) {
-        const dvec3 sum = ppmRadiance(world, first, std::sqrt(radius2), pixel, 0) +
-                          ppmRadiance(world, second, secondRadius, pixel, 1);
+        const dvec3 sum = ppmRadiance(world, first, pixel, 0) + ppmRadiance(world, second, pixel, 1);
         CHECK(image.pixels[pixel] == glm::vec3(sum / 2.0));
     }
 }

@@ -43,6 +43,7 @@ inline Scene onePixel(const dvec3& position, const dvec3& target, Integrator int
     scene.render.integrator = integrator;
     scene.render.passes = 1;
     scene.render.photons = 1;
+    scene.render.photonMap.causticPhotons = 1;
     scene.render.radius = 0.1;
     return scene;
 }
@@ -65,6 +66,7 @@ inline Scene cornellBox() {
     scene.render.maxDepth = 12;
     scene.render.passes = 2;
     scene.render.photons = 4000;
+    scene.render.photonMap.causticPhotons = 2000;
     const std::size_t white = addMaterial(scene, Diffuse{{0.725, 0.71, 0.68}});
     const std::size_t red = addMaterial(scene, Diffuse{{0.63, 0.065, 0.05}});
     const std::size_t green = addMaterial(scene, Diffuse{{0.14, 0.45, 0.091}});

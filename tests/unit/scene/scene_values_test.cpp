@@ -90,7 +90,6 @@ TEST_CASE("the default scene is the Cornell box that other renderers were measur
 
     // The box [-1, 1]^3 has the diagonal 2 sqrt(3).
     CHECK_THAT(sceneRadius(scene), WithinRel(std::sqrt(3.0), 1e-15));
-    CHECK_THAT(initialRadius(scene), WithinRel(std::sqrt(3.0) / 100, 1e-15));
 }
 
 TEST_CASE("every shipped scene loads") {
@@ -155,7 +154,7 @@ objects: [{shape: {type: quad, corner: [-1, -.5, 0], edges: [[1, 0, 0], [0, 0, 2
     CHECK(scene.render.passes == 2);
     CHECK(scene.render.photons == 3);
     CHECK(scene.render.seed == 4);
-    CHECK(initialRadius(scene) == 0.5);
+    CHECK(scene.render.radius == 0.5);
     CHECK(scene.render.alpha == 0.25);
     CHECK(scene.render.minWeight == 0);
     CHECK(scene.materials.at(0).name == "a");

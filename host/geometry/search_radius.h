@@ -1,0 +1,30 @@
+// Progressive photon mapping's first search radius, from the density of a few photons traced beforehand.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+
+namespace hyalite {
+
+// At most so many photons are emitted to find a radius.
+inline constexpr std::uint32_t kPilotPhotons = 8192;
+
+// So many photons are to be found by a typical search of the first pass: among those that came by way of diffuse
+// surfaces, and among those that make caustics, which have edges.
+inline constexpr double kPhotonsPerSearch = 30;
+inline constexpr double kCausticPhotonsPerSearch = 20;
+
+// Median of the distances from each point to its k-th nearest other point [the unit of the points]; there must be more
+// than k points.
+[[nodiscard]] double medianSpacing(std::span<const glm::dvec3> points, std::size_t k);
+
+// The radius [m] within which about `wanted` of the photons of a pass of `emitted` photons lie around a typical one of
+// them, judged by `pilot`: where those landed that `pilotEmitted` photons left. Rounded to an eighth of a power of two,
+// so that pilots that differ by a rounding give the same. At least 1/2000 and at most 1/20 of `sceneRadius` [m], the
+// radius of the scene's bounding sphere; where hardly any photon landed, 1/100.
+[[nodiscard]] double searchRadiusFor(double wanted, std::span<const glm::dvec3> pilot, std::uint32_t pilotEmitted,
+                                     std::uint32_t emitted, double sceneRadius);
+
+} // namespace hyalite

@@ -1,0 +1,67 @@
+// Radii from the density of points, on patterns whose density is known.
+#include "geometry/search_radius.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+using namespace hyalite;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+std::vector<glm::dvec3> scattered(std::size_t count, double side, std::uint32_t seed) {
+    std::mt19937 engine(seed);
+    std::uniform_real_distribution<double> coordinate(0, side);
+    std::vector<glm::dvec3> points;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double x = coordinate(engine);
+        points.emplace_back(x, 0, coordinate(engine));
+    }
+    return points;
+}
+
+} // namespace
+
+TEST_CASE("neighbours on a square lattice are where the lattice says") {
+    std::vector<glm::dvec3> points;
+    for (int i = 0; i < 40; ++i) {
+        for (int j = 0; j < 40; ++j) {
+            points.emplace_back(3 * i, 3 * j, 0);
+        }
+    }
+    // Inside: four neighbours at 3, four at 3 sqrt 2, four at 6
+    CHECK(medianSpacing(points, 1) == 3);
+    CHECK(medianSpacing(points, 4) == 3);
+    CHECK_THAT(medianSpacing(points, 5), WithinRel(3 * std::numbers::sqrt2, 1e-15));
+    CHECK(medianSpacing(points, 12) == 6);
+}
+
+TEST_CASE("a radius holds the photons that were wanted, whatever the pilot") {
+    // N photons on a square of side 10 have the density N / 100: `wanted` of them in pi r^2 = wanted * 100 / N. The
+    // k-th neighbour of a Poisson pattern lies about 1/2 (1 - 1/4k) further in than that, 3 % at k = 10, and the result
+    // is rounded to an eighth of an octave, at most 4.5 % off.
+    for (const std::uint32_t pilot : {1000U, 8000U}) {
+        for (const double wanted : {20.0, 80.0}) {
+            const double expected = std::sqrt(wanted * 100 / 200000 / std::numbers::pi);
+            const double radius = searchRadiusFor(wanted, scattered(pilot, 10, pilot), pilot, 200000, 5);
+            CHECK_THAT(radius, WithinRel(expected, 0.1));
+            CHECK(std::abs(std::remainder(8 * std::log2(radius), 1)) < 1e-9);
+        }
+    }
+    // Half of the pilot photons landed: half the density
+    CHECK_THAT(searchRadiusFor(30, scattered(4000, 10, 7), 8000, 200000, 5),
+               WithinRel(std::sqrt(30 * 100 / 100000.0 / std::numbers::pi), 0.1));
+}
+
+TEST_CASE("radii stay within bounds that the scene sets, and are a hundredth of it where nothing landed") {
+    CHECK(searchRadiusFor(30, {}, 8000, 8000, 7) == 0.07);
+    CHECK(searchRadiusFor(30, scattered(20, 1, 1), 8000, 8000, 7) == 0.07);
+    const double eighth = std::exp2(1.0 / 16); // rounding moves a bound by no more
+    CHECK(searchRadiusFor(30, scattered(2000, 1e-6, 2), 2000, 2000, 7) <= 7.0 / 2000 * eighth);
+    CHECK(searchRadiusFor(30, scattered(2000, 1e-6, 2), 2000, 2000, 7) >= 7.0 / 2000 / eighth);
+    CHECK(searchRadiusFor(30, scattered(2000, 1e6, 3), 2000, 2000, 7) <= 7.0 / 20 * eighth);
+}
