@@ -74,38 +74,6 @@ TEST_CASE("in a room of radiance 1 a rough surface has the radiance of its albed
     }
 }
 
-TEST_CASE("under a sky of radiance 1 a rough white ball shows the albedo of its facets with every integrator") {
-    // As in the room above, but light from beyond the scene, seen along the normal; the reference's lobe at 45 degrees
-    // is replaced by the integral over the facets' slope t: what they reflect to 2 t is masked by G1(2 t) [Walter07].
-    const double a2 = std::pow(0.09, 2);
-    double expected = 0;
-    constexpr int kSteps = 10000;
-    for (int i = 0; i < kSteps; ++i) {
-        const double t = (i + 0.5) * pi / 4 / kSteps;
-        const double D = a2 / (pi * std::pow(1 + (a2 - 1) * std::cos(t) * std::cos(t), 2));
-        const double G1 = 2 / (1 + std::sqrt(1 + a2 * std::pow(std::tan(2 * t), 2)));
-        expected += D * std::cos(t) * G1 * 2 * pi * std::sin(t) * (pi / 4 / kSteps);
-    }
-    for (const Integrator integrator : {Integrator::Whitted, Integrator::Ppm, Integrator::PhotonMap}) {
-        Scene scene = reference::test::onePixel({0, 0, 3}, {0, 0, 0}, integrator);
-        scene.camera.resolution = {32, 32};
-        scene.environment = Environment{.image = Image(1, 1)};
-        scene.environment->image.pixels[0] = vec3(1);
-        const std::size_t white = reference::test::addMaterial(scene, MetallicRoughness{dvec3(1), 1, 0.3});
-        reference::test::addObject(scene, Sphere{{0, 0, 0}, 1}, white);
-        scene.render.passes = 64;
-        const auto image = render::render(Gpu::shared().context(), Gpu::shared().compiler(), scene, {}).image.picture;
-        double mean = 0;
-        for (const vec3& pixel : image.pixels) {
-            mean += double{pixel.x} / static_cast<double>(image.pixels.size());
-        }
-        // Both ways to find the sky weigh at most 1: a sample of the light brings at most p q / (p^2 + q^2) <= 1/2 of
-        // the masked light, one of the lobe at most 1. A deviation of 1/2 over the root of 65 536 samples, five times
-        INFO("integrator " << static_cast<int>(integrator));
-        CHECK(std::abs(mean - expected) < 0.01);
-    }
-}
-
 TEST_CASE("a coated floor straight below a point light has the radiance of its base and its coat") {
     // Light and camera above the point: wo = wi = n. Base: c (1 - F0) 21/20 / pi, coat: F0 D / 4 with D = 1 / (pi
     // alpha^2); no masking. L = I / d^2 times their sum, I = 3 W/sr, d = 2 m.
