@@ -1,4 +1,5 @@
 // Rough and metallic surfaces in scenes whose radiance is known on paper or by an integral over the hemisphere.
+#include "image/known_answer.h"
 #include "kernel/kernel_support.h"
 #include "reference/bsdf.h"
 #include "render/renderer.h"
@@ -14,8 +15,9 @@ vec3 onDevice(const Scene& scene) {
 }
 
 // The pixel looks down at a disk of the material about the origin, at 45 degrees; all else is a glowing room.
-Scene glowingRoom(const MaterialModel& model, Integrator integrator) {
-    Scene scene = reference::test::onePixel({1, 1, 0}, {0, 0, 0}, integrator);
+Scene glowingRoom(const MaterialModel& model) {
+    Scene scene = reference::test::onePixel({1, 1, 0}, {0, 0, 0}, Integrator::Whitted);
+    scene.camera.resolution = {16, 16};
     scene.camera.up = {0, 1, 0};
     const std::size_t material = reference::test::addMaterial(scene, model);
     reference::test::addObject(scene, Disk{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}}, material); // faces up
@@ -57,19 +59,20 @@ dvec3 albedoAt45(const MaterialModel& model) {
 
 TEST_CASE("in a room of radiance 1 a rough surface has the radiance of its albedo, whatever finds the light") {
     // Sampled lights and rays that find them share the light by their weights; a weight too many or too few shows
+    const Integrator integrators[] = {Integrator::Whitted, Integrator::Ppm, Integrator::Path};
+    const std::vector<Renderer> renderers = renderersOf(integrators);
+    FalseAlarms alarms(3 * renderers.size());
     for (const MaterialModel& model :
          {MaterialModel(Conductor{{0.2, 0.9, 1.1}, {3.9, 2.4, 2.1}, 0.5}), MaterialModel(Dielectric{1.5, 0.5}),
           MaterialModel(MetallicRoughness{{0.9, 0.6, 0.3}, 1, 0.8})}) {
-        const dvec3 expected = albedoAt45(model);
-        for (const Integrator integrator : {Integrator::Whitted, Integrator::Ppm}) {
-            Scene scene = glowingRoom(model, integrator);
-            scene.render.passes = 1024;
-            // Every wall in each pass of whitted: what varies is smooth, and the evenly spread numbers of 1024 passes
-            // find its mean to better than 1/1024. ppm picks one wall of six a pass: a standard deviation of about a
-            // half, over 32, at the very worst
-            INFO("integrator " << static_cast<int>(integrator) << " index " << model.index());
-            const double tolerance = integrator == Integrator::Whitted ? 1e-3 : 0.016;
-            CHECK(glm::length(dvec3(onDevice(scene)) - expected) < tolerance);
+        const double expected = albedoAt45(model).x;
+        for (const Renderer& renderer : renderers) {
+            Scene scene = glowingRoom(model);
+            scene.render.passes = 32;
+            INFO(renderer.name << ", material " << model.index());
+            // The midpoint rule is right to 1e-4, pixels are 1e-4 rad wide
+            CHECK(
+                judge(alarms, renderer, scene, everywhere(expected), Independent::Pixels, {.bias = 2e-4, .sees = 0.1}));
         }
     }
 }
