@@ -180,7 +180,6 @@ TEST_CASE("under a sky of radiance 1 a rough metal shows the albedo of its facet
         std::function<double(double)> reflectance;
     };
     const std::vector<Metal> metals{
-        {MetallicRoughness{dvec3(1), 1, 0.3}, 0, 0.09, schlick(1)},
         {MetallicRoughness{dvec3(0.3), 1, 0.8}, pi / 4, 0.64, schlick(0.3)},
         {Conductor{dvec3(0.2), dvec3(3.9), 0.5}, pi / 3, 0.25, fresnel(0.2, 3.9)},
         {Conductor{dvec3(1.5), dvec3(0.5), 1}, pi / 4, 1, fresnel(1.5, 0.5)},

@@ -26,7 +26,7 @@ TEST_CASE("a pane of glass at any angle, clear or tinted, transmits (1 - F)^2 a 
     // normal incidence 2n / (n^2 + 1). All behind the pane glows with radiance 1, and nothing before it.
     const double n = 1.5;
     const double d = 0.2;
-    const std::vector<std::pair<double, double>> cases{{0, 0}, {0, 6}, {60, 0}, {60, 3}, {80, 0}};
+    const std::vector<std::pair<double, double>> cases{{0, 0}, {60, 3}, {80, 0}};
     CHECK(std::abs((1 - fresnel(0, n)) / (1 + fresnel(0, n)) - 2 * n / (n * n + 1)) < 1e-12);
     FalseAlarms alarms(cases.size() * everyRenderer().size());
     for (const auto& [degrees, sigma] : cases) {
