@@ -162,7 +162,8 @@ Offer offerTo(const glm::dvec3& receiver, const AreaLight& light, glm::dvec2 uv)
     const LightPoint y = pointFacing(light, receiver, uv);
     const double cosLight = glm::dot(y.normal, glm::normalize(receiver - y.position));
     Offer offer = offerFrom(y.position, receiver, light.radiance * (std::max(cosLight, 0.0) * areaFacing(light)));
-    offer.shadowEnd = y.moved();
+    // Moved off by the roundings of the way there too, which those of the light's coordinates do not bound
+    offer.shadowEnd = y.moved() + surfaceOffset(glm::length(offer.way)) * y.normal;
     offer.pdfW = cosLight > 0 ? glm::dot(offer.way, offer.way) / (cosLight * areaFacing(light)) : 0;
     return offer;
 }

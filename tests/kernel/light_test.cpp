@@ -108,6 +108,62 @@ TEST_CASE("light sampling sends the reference's contribution along the reference
     }
 }
 
+TEST_CASE("no lamp stands in its own light, however near the origin it is and however far the receiver") {
+    // Lamps whose coordinates say nothing of the length of the shadow rays: a square in the plane x = 0, a small ball
+    // about the origin and a small mesh
+    Scene scene;
+    scene.meshes = {sphereMesh(4, false)};
+    scene.camera.position = {0, 0, 50};
+    reference::test::addObject(scene, Quad{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}}, std::nullopt, dvec3(1));
+    reference::test::addObject(scene, Sphere{{0.1, -0.5, 0}, 0.01}, std::nullopt, dvec3(1));
+    const glm::dmat4 small = glm::scale(glm::translate(glm::dmat4(1), dvec3(0, 0, -0.5)), dvec3(0.01));
+    reference::test::addObject(scene, MeshInstance{0, small}, std::nullopt, dvec3(1));
+    BothSides both(scene);
+    reference::test::Random random;
+    const std::uint32_t count = 20000;
+    std::vector<shared::VisiblePoint> points(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        // In front of the square with nothing between: the ball and the mesh lie outside of the cone x > 0, y, z in [0,
+        // 1]
+        const dvec3 position(random.between(0.2, i % 2 == 0 ? 2 : 100), random.unit(), random.unit());
+        points[i] = {position, 1, {-1, 0, 0}, shared::hash(i), vec3(1), i, 0, 0, 0};
+    }
+    const auto devicePoints = both.upload(points);
+    const auto rays = both.room<shared::Ray>(count);
+    const auto contributions = both.room<vec3>(count);
+    for (std::uint32_t light = 0; light < 3; ++light) {
+        INFO("light " << light);
+        both.run("sample_lights",
+                 shared::SampleLightsArguments{devicePoints, both.deviceScene.lights, rays, contributions, count, 3,
+                                               light, 0, 2},
+                 count);
+        const auto direct = both.upload(std::vector<vec3>(count, vec3(0)));
+        both.run("trace_shadow",
+                 shared::TraceShadowArguments{rays, contributions, direct, count, both.deviceScene.rootNode}, count);
+        std::size_t sent = 0;
+        std::size_t blocked = 0;
+        std::size_t blockedInReference = 0;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const shared::VisiblePoint& p = points[i];
+            const reference::VisiblePoint x{p.position, p.position, dvec3(p.normal), dvec3(p.normal),
+                                            dvec3(p.f), 1,          p.samplerSeed};
+            const auto sample = reference::sampleLight(both.world, x, 0, light);
+            // What leaves it along its surface may pass through the facets beside it
+            const bool clear =
+                sample &&
+                glm::length(sample->contribution) * std::pow(glm::length(sample->to - sample->from), 2) > 1e-6;
+            if (clear && rays.host()[i].tMax > 0) {
+                ++sent;
+                blocked += direct.host()[i] == vec3(0) ? 1 : 0;
+                blockedInReference += reference::traceShadow(both.world, sample->from, sample->to) ? 0 : 1;
+            }
+        }
+        CHECK(sent > count / 4);
+        CHECK(blocked == 0);
+        CHECK(blockedInReference == 0);
+    }
+}
+
 TEST_CASE("photons leave the lights as in the reference, by the lights' pmf") {
     Scene scene = everyLight();
     scene.render.photons = 40000;

@@ -1,7 +1,6 @@
-// Path tracing against series known on paper, and against photon mapping.
+// Path tracing against series known on paper.
 #include "reference/path.h"
 
-#include "reference/ppm.h"
 #include "unit/reference/support.h"
 
 #include <cmath>
@@ -138,53 +137,4 @@ TEST_CASE("a white coated ball in a room of light is almost white") {
     INFO("mean " << e.mean << " +- " << e.deviation);
     CHECK(e.deviation < 0.01);
     CHECK(std::abs(e.mean - 1) < 5 * e.deviation);
-}
-
-namespace {
-
-double meanOf(const Image& image) {
-    double sum = 0;
-    for (const glm::vec3& pixel : image.pixels) {
-        sum += static_cast<double>(pixel.x + pixel.y + pixel.z);
-    }
-    return sum / static_cast<double>(image.pixels.size());
-}
-
-} // namespace
-
-TEST_CASE("among coats, metals and frosted glass the mean of the picture is that of photon mapping") {
-    Scene scene = cornellBox();
-    scene.materials = {{.name = "white", .model = MetallicRoughness{{0.7, 0.6, 0.5}, 0, 0.4}},
-                       {.name = "red", .model = Conductor{{0.2, 0.9, 1.1}, {3.9, 2.4, 2.1}, 0.5}},
-                       {.name = "green", .model = MetallicRoughness{{0.2, 0.6, 0.4}, 0.6, 0.7}},
-                       {.name = "metal", .model = Conductor{{1.6, 0.9, 0.5}, {9.2, 6.3, 4.8}, 0.3}},
-                       {.name = "glass", .model = Dielectric{1.5, 0.3, {0, 0.5, 1}}}};
-    scene.environment = Environment{.image = Image(1, 1), .scale = 0.3};
-    scene.environment->image.pixels[0] = glm::vec3(1);
-    scene.render.integrator = Integrator::Path;
-    scene.render.passes = 300;
-    const double path = meanOf(render(scene).picture);
-    scene.render.integrator = Integrator::Ppm;
-    scene.render.passes = 60;
-    scene.render.photons = 10000;
-    scene.render.radius = 0.05;
-    const double ppm = meanOf(render(scene).picture);
-    INFO("path " << path << ", ppm " << ppm);
-    CHECK(std::abs(path - ppm) < 0.03 * ppm); // for the same reasons as below
-}
-
-TEST_CASE("the mean of the default scene's picture is that of photon mapping") {
-    Scene scene = cornellBox();
-    scene.render.passes = 300;
-    scene.render.integrator = Integrator::Path;
-    const double path = meanOf(render(scene).picture);
-    scene.render.passes = 60;
-    scene.render.photons = 10000;
-    scene.render.radius = 0.05;
-    scene.render.integrator = Integrator::Ppm;
-    const double ppm = meanOf(render(scene).picture);
-    INFO("path " << path << ", ppm " << ppm);
-    // 256 pixels of 300 paths whose radiance deviates by twice its mean: 0.7 %. Photon mapping loses light where its
-    // discs reach beyond the walls: a band of 0.05 along edges of 2 m, where half a disc is missing at most: 1 %.
-    CHECK(std::abs(path - ppm) < 0.03 * ppm);
 }

@@ -1,0 +1,205 @@
+// Furnaces: where light of radiance 1 comes from everywhere, what absorbs nothing cannot be seen, and what absorbs
+// shows its albedo.
+#include "image/known_answer.h"
+#include "kernel/kernel_support.h"
+
+#include <complex>
+#include <numbers>
+
+namespace hyalite::testing {
+
+namespace {
+
+using glm::dvec3;
+using std::numbers::pi;
+
+constexpr Integrator kWithIndirectLight[] = {Integrator::Ppm, Integrator::PhotonMap, Integrator::Path};
+
+// A closed cube of 2 m about the origin whose walls have radiance 1 and the albedo; the camera in its middle looks at
+// that of a wall, 0.27 m about it: farther from the edges than photons are gathered from.
+Scene furnace(double albedo) {
+    Scene scene = reference::test::onePixel({0, 0, 0}, {0, 0, 1}, Integrator::Path);
+    scene.camera.fov = 30;
+    scene.camera.resolution = {8, 8};
+    scene.render.maxDepth = 64;
+    scene.render.photons = 10000;
+    scene.render.radius = 0.3;
+    scene.render.photonMap.gatherRays = 0;
+    scene.render.photonMap.nearest = 512;
+    const std::size_t wall = reference::test::addMaterial(scene, Diffuse{dvec3(albedo)});
+    for (int axis = 0; axis < 3; ++axis) {
+        dvec3 n(0);
+        dvec3 a(0);
+        dvec3 b(0);
+        n[axis] = 1;
+        a[(axis + 1) % 3] = 2;
+        b[(axis + 2) % 3] = 2;
+        reference::test::addObject(scene, Quad{-n - 0.5 * (a + b), a, b}, wall, dvec3(1)); // a x b = n: inwards
+        reference::test::addObject(scene, Quad{n - 0.5 * (a + b), b, a}, wall, dvec3(1));
+    }
+    return scene;
+}
+
+// A sky of radiance 1 about a pixel that sees one place only, `angle` from the normal (+y) of what is there.
+Scene underSky(double angle) {
+    Scene scene = reference::test::onePixel({3 * std::sin(angle), 3 * std::cos(angle), 0}, {0, 0, 0}, Integrator::Path);
+    scene.camera.resolution = {16, 16};
+    scene.environment = Environment{.image = Image(1, 1)};
+    scene.environment->image.at(0, 0) = glm::vec3(1);
+    scene.render.minWeight = 0;
+    return scene;
+}
+
+} // namespace
+
+TEST_CASE("in a closed furnace radiance is 1 / (1 - a), cut short the terms of its series") {
+    // The walls emit 1, and from every direction comes what they send: 1 + a + a^2 + …, n segments leave n terms
+    const std::vector<Renderer> renderers = renderersOf(kWithIndirectLight);
+    const std::vector<std::pair<double, std::uint32_t>> cases{{0.2, 64}, {0.5, 4}, {0.8, 64}};
+    FalseAlarms alarms(renderers.size() * cases.size());
+    for (const auto& [albedo, depth] : cases) {
+        for (const Renderer& renderer : renderers) {
+            Scene scene = furnace(albedo);
+            scene.render.maxDepth = depth;
+            scene.render.passes = renderer.integrator == Integrator::Path ? 128 : 4;
+            INFO(renderer.name << ", albedo " << albedo << ", depth " << depth);
+            const double expected = (1 - std::pow(albedo, depth)) / (1 - albedo);
+            CHECK(judge(alarms, renderer, scene, everywhere(expected), Independent::Renders,
+                        {.bias = 1e-5, .sees = 0.2}));
+        }
+    }
+}
+
+TEST_CASE("whitted's furnace has the emission and the direct light of its walls, 1 + a") {
+    const Integrator whitted[] = {Integrator::Whitted};
+    const std::vector<Renderer> renderers = renderersOf(whitted);
+    FalseAlarms alarms(renderers.size());
+    for (const Renderer& renderer : renderers) {
+        Scene scene = furnace(0.5);
+        scene.render.passes = 32;
+        INFO(renderer.name);
+        CHECK(judge(alarms, renderer, scene, everywhere(1.5), Independent::Pixels, {.bias = 1e-5, .sees = 0.02}));
+    }
+}
+
+TEST_CASE("a perfect mirror and clear glass cannot be told from the walls of a furnace") {
+    // Radiance is the same along every line, and they take none of it. A path of 64 segments has a^32 of the light left
+    // after as many diffuse ones, and glass holds a ray for more than 32 as rarely as 0.04^32. The furnace is almost a
+    // sphere, whose points all get alike from each other, so that samples of its light have no tail.
+    const Integrator path[] = {Integrator::Path};
+    const std::vector<Renderer> renderers = renderersOf(path);
+    FalseAlarms alarms(2 * renderers.size());
+    for (const MaterialModel& model : {MaterialModel(Mirror{}), MaterialModel(Dielectric{1.5})}) {
+        Scene scene = furnace(0.5);
+        scene.camera.fov = 60;
+        scene.meshes = {sphereMesh(12, false)};
+        for (glm::uvec3& triangle : scene.meshes[0].triangles) {
+            std::swap(triangle.y, triangle.z); // faces inwards
+        }
+        scene.objects = {{.shape = MeshInstance{}, .material = 0, .emission = dvec3(1), .where = {}}};
+        reference::test::addObject(scene, Sphere{{0.1, 0, 0.5}, 0.3}, reference::test::addMaterial(scene, model));
+        scene.render.passes = 256;
+        for (const Renderer& renderer : renderers) {
+            INFO(renderer.name << ", material " << model.index());
+            CHECK(judge(alarms, renderer, scene, everywhere(2), Independent::Pixels, {.bias = 1e-5, .sees = 0.05}));
+        }
+    }
+}
+
+TEST_CASE("a perfect mirror, and glass that does not absorb, are invisible in a sky that is the same everywhere") {
+    // Each path ends in the sky with its whole weight, so that not even noise is left; whitted's trees end after 30
+    // reflections with 0.04^30 of the light missing
+    FalseAlarms alarms(2 * everyRenderer().size());
+    for (const MaterialModel& model : {MaterialModel(Mirror{}), MaterialModel(Dielectric{1.5})}) {
+        Scene scene = underSky(0.1);
+        scene.camera.fov = 50;
+        scene.render.maxDepth = 30;
+        reference::test::addObject(scene, Sphere{{0, 0, 0}, 1}, reference::test::addMaterial(scene, model));
+        for (const Renderer& renderer : everyRenderer()) {
+            INFO(renderer.name << ", material " << model.index());
+            CHECK(judge(alarms, renderer, scene, everywhere(1), Independent::Pixels, {.bias = 1e-4, .sees = 1e-3}));
+        }
+    }
+}
+
+namespace {
+
+// Schlick's reflectance of a metal whose colour is `f0`.
+std::function<double(double)> schlick(double f0) {
+    return [f0](double cosine) { return f0 + (1 - f0) * std::pow(1 - cosine, 5); };
+}
+
+// Fresnel's of the index eta + i k: amplitudes with a complex cosine.
+std::function<double(double)> fresnel(double eta, double k) {
+    return [n = std::complex<double>(eta, k)](double cosine) {
+        const std::complex<double> inside = std::sqrt(1.0 - (1 - cosine * cosine) / (n * n));
+        const double s = std::norm((cosine - n * inside) / (cosine + n * inside));
+        const double p = std::norm((n * cosine - inside) / (n * cosine + inside));
+        return (s + p) / 2;
+    };
+}
+
+// What a surface of GGX facets reflects of a sky of radiance 1 in a direction at `angle` to its normal, by the facets
+// it sees: the integral of F(w . m) D(m) (w . m)+ / w.z times the share of reflected light that leaves, which is G2 /
+// G1 (w) with Lambda = (sqrt(1 + a^2 tan^2) - 1) / 2, G1 = 1 / (1 + Lambda), G2 = 1 / (1 + Lambda + Lambda') [Heitz14],
+// [Walter07]; G1 G2 / G1 = G2. Midpoints in the facet's tangent, as u = 1 / (1 + tan^2 / a^2), in which D is even, and
+// in the azimuth.
+double ggxAlbedo(double angle, double alpha, const std::function<double(double)>& reflectance) {
+    const dvec3 w(std::sin(angle), 0, std::cos(angle));
+    const auto lambda = [alpha](const dvec3& v) {
+        const double tan2 = (v.x * v.x + v.y * v.y) / (v.z * v.z);
+        return (std::sqrt(1 + alpha * alpha * tan2) - 1) / 2;
+    };
+    constexpr int kSteps = 1000;
+    double sum = 0;
+    for (int i = 0; i < kSteps; ++i) {
+        const double u = (i + 0.5) / kSteps; // D cos dm = du dphi / (2 pi)
+        const double tangent = alpha * std::sqrt((1 - u) / u);
+        const double cosine = 1 / std::sqrt(1 + tangent * tangent);
+        for (int j = 0; j < kSteps; ++j) {
+            const double phi = 2 * pi * (j + 0.5) / kSteps;
+            const dvec3 m = cosine * dvec3(tangent * std::cos(phi), tangent * std::sin(phi), 1);
+            const double facing = glm::dot(w, m);
+            const dvec3 out = 2 * facing * m - w;
+            if (facing > 0 && out.z > 0) {
+                sum += reflectance(facing) * facing / (w.z * m.z) / (1 + lambda(w) + lambda(out));
+            }
+        }
+    }
+    return sum / (kSteps * kSteps);
+}
+
+} // namespace
+
+TEST_CASE("under a sky of radiance 1 a rough metal shows the albedo of its facets, whatever finds the light") {
+    // Sampled lights and rays that find the sky share it by their weights: one too many or too few shows
+    struct Metal {
+        MaterialModel model;
+        double angle;
+        double alpha;
+        std::function<double(double)> reflectance;
+    };
+    const std::vector<Metal> metals{
+        {MetallicRoughness{dvec3(0.3), 1, 0.8}, pi / 4, 0.64, schlick(0.3)},
+        {Conductor{dvec3(0.2), dvec3(3.9), 0.5}, pi / 3, 0.25, fresnel(0.2, 3.9)},
+        {Conductor{dvec3(1.5), dvec3(0.5), 1}, pi / 4, 1, fresnel(1.5, 0.5)},
+    };
+    CHECK(std::abs(ggxAlbedo(0, 0.09, schlick(1)) - 0.99) < 0.005); // as the documentation says: 1 % is lost,
+    CHECK(std::abs(ggxAlbedo(0, 1, schlick(1)) - 0.31) < 0.005);    // and 69 % at roughness 1
+    FalseAlarms alarms(metals.size() * everyRenderer().size());
+    for (const Metal& metal : metals) {
+        const double expected = ggxAlbedo(metal.angle, metal.alpha, metal.reflectance);
+        Scene scene = underSky(metal.angle);
+        const std::size_t material = reference::test::addMaterial(scene, metal.model);
+        reference::test::addObject(scene, Disk{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}}, material); // faces up
+        scene.render.passes = 16;
+        for (const Renderer& renderer : everyRenderer()) {
+            INFO(renderer.name << ", material " << metal.model.index() << " at " << metal.angle);
+            // The midpoint rule is right to 1e-5 here, the pixel sees angles to 1e-4
+            CHECK(judge(alarms, renderer, scene, everywhere(expected), Independent::Pixels,
+                        {.bias = 2e-4, .sees = 0.05}));
+        }
+    }
+}
+
+} // namespace hyalite::testing

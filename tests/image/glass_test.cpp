@@ -1,0 +1,112 @@
+// Glass whose transmission is known in closed form: panes at any angle, and a ball that gathers a beam.
+#include "image/known_answer.h"
+#include "unit/reference/support.h"
+
+#include <numbers>
+
+namespace hyalite::testing {
+
+namespace {
+
+using glm::dvec3;
+using std::numbers::pi;
+
+// Of unpolarised light at glass of index n, the ray outside at `angle` to the normal.
+double fresnel(double angle, double n) {
+    const double out = std::cos(angle);
+    const double in = std::cos(std::asin(std::sin(angle) / n));
+    return (std::pow((out - n * in) / (out + n * in), 2) + std::pow((n * out - in) / (n * out + in), 2)) / 2;
+}
+
+} // namespace
+
+TEST_CASE("a pane of glass at any angle, clear or tinted, transmits (1 - F)^2 a / (1 - F^2 a^2)") {
+    // a = e^(-sigma d / cos) is what one passage leaves; each pair of reflections within the pane takes F^2 and two
+    // passages more. Renderers know no polarisation: F is the mean of both at each face. Clear: (1 - F) / (1 + F), at
+    // normal incidence 2n / (n^2 + 1). All behind the pane glows with radiance 1, and nothing before it.
+    const double n = 1.5;
+    const double d = 0.2;
+    const std::vector<std::pair<double, double>> cases{{0, 0}, {60, 3}, {80, 0}};
+    CHECK(std::abs((1 - fresnel(0, n)) / (1 + fresnel(0, n)) - 2 * n / (n * n + 1)) < 1e-12);
+    FalseAlarms alarms(cases.size() * everyRenderer().size());
+    for (const auto& [degrees, sigma] : cases) {
+        const double angle = degrees * pi / 180;
+        Scene scene =
+            reference::test::onePixel({3 * std::sin(angle), 0, 3 * std::cos(angle)}, {0, 0, 0}, Integrator::Path);
+        scene.camera.resolution = {16, 16};
+        scene.render.maxDepth = 40;
+        scene.render.minWeight = 0;
+        scene.render.passes = 8;
+        const std::size_t glass = reference::test::addMaterial(scene, Dielectric{n, 0, dvec3(sigma)});
+        reference::test::addObject(scene, Quad{{-50, -50, 0}, {100, 0, 0}, {0, 100, 0}}, glass);  // faces +z
+        reference::test::addObject(scene, Quad{{-50, -50, -d}, {0, 100, 0}, {100, 0, 0}}, glass); // faces -z
+        reference::test::addObject(scene, Quad{{-60, -60, -3}, {120, 0, 0}, {0, 120, 0}}, std::nullopt, dvec3(1));
+        const double F = fresnel(angle, n);
+        const double a = std::exp(-sigma * d / std::cos(std::asin(std::sin(angle) / n)));
+        const double expected = (1 - F) * (1 - F) * a / (1 - F * F * a * a);
+        for (const Renderer& renderer : everyRenderer()) {
+            INFO(renderer.name << ", " << degrees << " degrees, " << sigma << "/m");
+            // At 80 degrees F has a slope of 3 per rad, of which pixels see 1e-4. whitted, without chance, is as right
+            // as that; the others throw a coin at each face.
+            const bool exact = renderer.integrator == Integrator::Whitted;
+            CHECK(judge(alarms, renderer, scene, everywhere(expected), Independent::Pixels,
+                        {.bias = 2e-4, .sees = exact ? 1e-3 : 0.12}));
+        }
+    }
+}
+
+namespace {
+
+// What both faces of a ball of glass (n = 1.5, radius 1) let through of a ray at the distance h from its axis, and how
+// far from the axis that meets a floor at y = -1.5, the paraxial focus n R / (2 (n - 1)).
+std::pair<double, double> throughBall(double h) {
+    const double deviation = 2 * (std::asin(h) - std::asin(h / 1.5));
+    const double F = fresnel(std::asin(h), 1.5); // inside, where it leaves, the same by Stokes
+    return {(1 - F) * (1 - F), (h / std::sin(deviation) - 1.5) * std::tan(deviation)};
+}
+
+} // namespace
+
+TEST_CASE("a glass ball brings the flux of a beam to its focus, in the picture") {
+    // A beam of 1 W/m^2, 0.5 m in radius, along -y; the camera looks from below the ball at a white square of the floor
+    // with the focus in its middle, in which all of the beam lands: mean radiance = flux / (pi area).
+    Scene scene = reference::test::onePixel({0, -1.2, 0}, {0, -1.5, 0}, Integrator::Ppm);
+    const double half = 0.25;
+    scene.camera.up = {0, 0, 1};
+    scene.camera.fov = 2 * std::atan(half / 0.3) * 180 / pi;
+    scene.camera.resolution = {32, 32};
+    scene.directionals.push_back({.direction = {0, -1, 0},
+                                  .irradiance = dvec3(1),
+                                  .beam = DirectionalLight::Beam{.center = {0, 3, 0}, .radius = 0.5}});
+    const std::size_t glass = reference::test::addMaterial(scene, Dielectric{1.5});
+    const std::size_t white = reference::test::addMaterial(scene, Diffuse{dvec3(1)});
+    reference::test::addObject(scene, Sphere{{0, 0, 0}, 1}, glass);
+    reference::test::addObject(scene, Quad{{-9, -1.5, 9}, {18, 0, 0}, {0, 0, -18}}, white);
+    scene.render.maxDepth = 4; // in, out, floor, eye: nothing that was reflected inside
+    scene.render.photons = 4000;
+    scene.render.passes = 4;
+    scene.render.radius = 0.08;
+    scene.render.photonMap.gatherRays = 0;
+    scene.render.photonMap.causticPhotons = 500; // so few that all in reach count: discs keep their size
+    scene.render.photonMap.causticNearest = 512;
+    scene.render.photonMap.causticRadius = 0.08;
+    scene.render.photonMap.causticFilter = PhotonFilter::None;
+    double flux = 0;
+    constexpr int kRings = 20000;
+    for (int i = 0; i < kRings; ++i) {
+        const double h = 0.5 * (i + 0.5) / kRings;
+        const auto [share, aside] = throughBall(h);
+        REQUIRE(std::abs(aside) < half - 0.08 * 1.01); // discs about the places where it lands are in the picture
+        flux += 2 * pi * h * 0.5 / kRings * share;
+    }
+    const double expected = flux / (pi * 4 * half * half);
+    const Integrator withCaustics[] = {Integrator::Ppm, Integrator::PhotonMap};
+    const std::vector<Renderer> renderers = renderersOf(withCaustics);
+    FalseAlarms alarms(renderers.size());
+    for (const Renderer& renderer : renderers) {
+        INFO(renderer.name);
+        CHECK(judge(alarms, renderer, scene, everywhere(expected), Independent::Renders, {.bias = 1e-4, .sees = 0.2}));
+    }
+}
+
+} // namespace hyalite::testing

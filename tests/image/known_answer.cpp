@@ -1,0 +1,117 @@
+#include "image/known_answer.h"
+
+#include "reference/render.h"
+#include "render/device_scene.h"
+#include "render/ppm.h"
+#include "render/renderer.h"
+#include "support/gpu_fixture.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace hyalite::testing {
+
+const std::vector<Renderer>& everyRenderer() {
+    static const std::vector<Renderer> all{
+        {"whitted, vulkan", Integrator::Whitted, Backend::Vulkan},
+        {"whitted, reference", Integrator::Whitted, Backend::Reference},
+        {"ppm, vulkan", Integrator::Ppm, Backend::Vulkan},
+        {"ppm, reference", Integrator::Ppm, Backend::Reference},
+        {"photonmap, vulkan", Integrator::PhotonMap, Backend::Vulkan},
+        {"photonmap, reference", Integrator::PhotonMap, Backend::Reference},
+        {"path, reference", Integrator::Path, Backend::Reference},
+    };
+    return all;
+}
+
+std::vector<Renderer> renderersOf(std::span<const Integrator> integrators) {
+    std::vector<Renderer> chosen;
+    std::ranges::copy_if(everyRenderer(), std::back_inserter(chosen), [&](const Renderer& renderer) {
+        return std::ranges::find(integrators, renderer.integrator) != integrators.end();
+    });
+    return chosen;
+}
+
+Image renderBy(const Renderer& renderer, Scene scene) {
+    scene.render.integrator = renderer.integrator;
+    if (renderer.backend == Backend::Reference) {
+        return reference::render(scene).picture;
+    }
+    return render::render(Gpu::shared().context(), Gpu::shared().compiler(), scene, {}).image.picture;
+}
+
+ExpectedPixel everywhere(double radiance) {
+    return [radiance](int, int) { return radiance; };
+}
+
+std::vector<double> pixelRatios(const Image& image, const ExpectedPixel& expected) {
+    std::vector<double> ratios;
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            ratios.push_back(double{image.at(x, y).x} / expected(x, y));
+        }
+    }
+    return ratios;
+}
+
+namespace {
+
+double meanOf(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+// Renders by ppm on the device, without making its kernels anew for each. The integrator and its stages look up the
+// seed in the scene at every pass, and the film goes on adding: a picture is what it has gained.
+std::vector<double> progressiveRatios(Scene scene, std::uint32_t renders, const ExpectedPixel& expected) {
+    render::Device device(Gpu::shared().context(), Gpu::shared().compiler(), false);
+    const render::DeviceScene deviceScene = render::uploadScene(device.context, device.tables, scene);
+    const render::Film film(device, scene.camera.resolution, render::Ppm::layers());
+    render::Ppm ppm(device, scene, deviceScene, film);
+    std::vector<double> means;
+    double before = 0;
+    for (std::uint32_t seed = 1; seed <= renders; ++seed) {
+        scene.render.seed = seed;
+        for (std::uint32_t pass = 0; pass < scene.render.passes; ++pass) {
+            ppm.renderPass(pass);
+        }
+        const double sum = meanOf(pixelRatios(film.resolve(device, scene.render.passes).picture, expected));
+        means.push_back(sum - before);
+        before = sum;
+    }
+    return means;
+}
+
+} // namespace
+
+std::vector<double> renderRatios(const Renderer& renderer, Scene scene, std::uint32_t renders,
+                                 const ExpectedPixel& expected) {
+    if (renderer.backend == Backend::Vulkan && renderer.integrator == Integrator::Ppm) {
+        scene.render.integrator = Integrator::Ppm;
+        return progressiveRatios(scene, renders, expected);
+    }
+    std::vector<double> means;
+    for (std::uint32_t seed = 1; seed <= renders; ++seed) {
+        scene.render.seed = seed;
+        means.push_back(meanOf(pixelRatios(renderBy(renderer, scene), expected)));
+    }
+    return means;
+}
+
+Verdict judge(FalseAlarms& alarms, const Renderer& renderer, const Scene& scene, const ExpectedPixel& expected,
+              Independent independent, const Sharpness& sharpness) {
+    const bool sharesPhotons = renderer.integrator == Integrator::Ppm || renderer.integrator == Integrator::PhotonMap;
+    if (independent == Independent::Pixels || !sharesPhotons) {
+        return alarms.mean(pixelRatios(renderBy(renderer, scene), expected), 1, sharpness);
+    }
+    constexpr std::uint32_t kRenders = 16;
+    if (renderer.backend == Backend::Vulkan && renderer.integrator == Integrator::PhotonMap) {
+        const Renderer twin{"", renderer.integrator, Backend::Reference};
+        Scene another = scene;
+        another.render.seed = kRenders + 1;
+        const double sample = meanOf(pixelRatios(renderBy(renderer, another), expected));
+        return alarms.draw(sample, renderRatios(twin, scene, kRenders, expected), 1, sharpness);
+    }
+    return alarms.mean(renderRatios(renderer, scene, kRenders, expected), 1, sharpness);
+}
+
+} // namespace hyalite::testing
