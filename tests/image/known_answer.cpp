@@ -19,6 +19,7 @@ const std::vector<Renderer>& everyRenderer() {
         {"ppm, reference", Integrator::Ppm, Backend::Reference},
         {"photonmap, vulkan", Integrator::PhotonMap, Backend::Vulkan},
         {"photonmap, reference", Integrator::PhotonMap, Backend::Reference},
+        {"path, vulkan", Integrator::Path, Backend::Vulkan},
         {"path, reference", Integrator::Path, Backend::Reference},
     };
     return all;
