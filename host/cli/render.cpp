@@ -50,7 +50,8 @@ struct RenderCommand {
                                     {"--samples", "render.passes", {}},
                                     {"--photons", "render.photons", {}},
                                     {"--max-depth", "render.max_depth", {}},
-                                    {"--seed", "render.seed", {}}};
+                                    {"--seed", "render.seed", {}},
+                                    {"--sampler", "render.sampler", {}}};
     std::vector<std::string> settings; // key=value
 };
 
@@ -286,6 +287,7 @@ void addRender(CLI::App& app, ExitCode&) {
     shorthand(4, "photons emitted per pass");
     shorthand(5, "longest path in segments; whitted: reflections and refractions in a row");
     shorthand(6, "seed of the random numbers");
+    shorthand(7, "random numbers: sobol (evenly spread) or independent");
     sub->add_option("--backend", command->backend, "vulkan, or reference (CPU, double precision)")
         ->check(CLI::IsMember({"vulkan", "reference"}));
     sub->add_option("--device", command->device, "part of a device's name, or its number (see hyalite doctor)");

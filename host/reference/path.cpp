@@ -27,7 +27,7 @@ glm::dvec3 directLight(const World& world, const VisiblePoint& x, std::uint32_t 
 // The way on from a diffuse surface, by the cosine: f cos / pdfW = pi f. Roulette ends paths in proportion to what they
 // still carry [Arvo90]. None: the path ends.
 std::optional<NextRay> bounce(const World& world, const VisiblePoint& x, const CameraPath& path, std::uint32_t pass) {
-    const shared::Sampler sampler{.seed = x.samplerSeed, .index = pass};
+    const shared::Sampler sampler = shared::pathSampler(x.samplerSeed, pass);
     const std::uint32_t vertex = x.depth - 1;
     const glm::dvec3 direction = cosineHemisphere(sampleUnitSquare(sampler, shared::pathBounce(vertex)), x.normal);
     if (glm::dot(direction, x.geometricNormal) <= 0) { // a smoothed normal leans over: this way leads into the surface

@@ -1,6 +1,7 @@
 #include "render/ppm.h"
 
 #include "scene/bounds.h"
+#include "scene/render_seed.h"
 
 #include <cmath>
 
@@ -38,7 +39,7 @@ void Ppm::renderPass(std::uint32_t pass) {
     sampleDirectLight(pass);
     // Light that comes by way of other surfaces, as flux landing all over the scene …
     const std::uint32_t slots =
-        photonPaths_.trace({.sequence = shared::photonSequence(scene_.render.seed, shared::kGlobalPhotons, pass),
+        photonPaths_.trace({.sequence = shared::photonSequence(renderSeed(scene_.render), shared::kGlobalPhotons, pass),
                             .count = scene_.render.photons,
                             .kinds = 1U << shared::kPhotonIndirect | 1U << shared::kPhotonCaustic});
     counts_.photonsEmitted += scene_.render.photons;

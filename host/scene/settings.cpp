@@ -35,6 +35,11 @@ constexpr std::array<Choice<Integrator>, 4> kIntegrators{{
     {"path", Integrator::Path},
 }};
 
+constexpr std::array<Choice<RandomNumbers>, 2> kSamplers{{
+    {"sobol", RandomNumbers::Sobol},
+    {"independent", RandomNumbers::Independent},
+}};
+
 // The place of a key, or of the map around it when the key is not written there.
 Value placeOf(Reader& reader, std::string_view key) {
     const auto value = reader.find(key);
@@ -80,6 +85,9 @@ void readRenderSettings(const Value& value, RenderSettings& render) {
     reader.optional("passes", render.passes, kCount);
     reader.optional("photons", render.photons, kPhotons);
     reader.optional("seed", render.seed, kSeed);
+    if (const auto name = reader.find("sampler")) {
+        render.sampler = choose<RandomNumbers>(*name, "sampler", kSamplers);
+    }
     reader.optional("radius", render.radius, kSearchRadius);
     reader.optional("alpha", render.alpha, kAlpha);
     reader.optional("min_weight", render.minWeight, kShare);

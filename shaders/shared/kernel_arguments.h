@@ -11,9 +11,9 @@ SHARED_BEGIN
 struct GenerateCameraRaysArguments {
     RayArray rays;         // out, one per pixel
     CameraPathArray paths; // out, one per pixel
+    RenderSeed seed;
     CameraRecord camera;
     uint count; // pixels
-    uint seed;
     uint pass;
 };
 
@@ -351,7 +351,7 @@ struct StartGatherRaysArguments {
     CameraPathArray paths; // out
     UintArray alive;       // out
     uint count;
-    uint index; // of the rays among all rays of a visible point: pass * rays per pass + ray
+    uint pass; // gatherPass
 };
 
 // Makes visible points of the photons that are marked, so that their irradiance can be estimated.

@@ -17,6 +17,7 @@ TEST_CASE("every setting changes what it names and nothing else") {
     applySetting(scene, "render.passes", "7");
     applySetting(scene, "render.photons", "16777216");
     applySetting(scene, "render.seed", "0");
+    applySetting(scene, "render.sampler", "independent");
     applySetting(scene, "render.radius", "0.25");
     applySetting(scene, "render.alpha", "0.5");
     applySetting(scene, "render.min_weight", "0");
@@ -31,6 +32,7 @@ TEST_CASE("every setting changes what it names and nothing else") {
     CHECK(scene.render.passes == 7);
     CHECK(scene.render.photons == 16777216);
     CHECK(scene.render.seed == 0);
+    CHECK(scene.render.sampler == RandomNumbers::Independent);
     CHECK(scene.render.radius == 0.25);
     CHECK(scene.render.alpha == 0.5);
     CHECK(scene.render.minWeight == 0);
