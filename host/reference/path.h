@@ -12,6 +12,6 @@ namespace hyalite::reference {
 // Radiance [W/(m^2 sr)] of one path, `pass`, of a pixel; render.maxDepth counts the segments from the light to the eye.
 [[nodiscard]] glm::dvec3 pathRadiance(const World& world, std::uint32_t pixel, std::uint32_t pass);
 
-[[nodiscard]] Image renderPath(const World& world, const RenderOptions& options);
+[[nodiscard]] LayeredImage renderPath(const World& world, const RenderOptions& options);
 
 } // namespace hyalite::reference

@@ -54,13 +54,13 @@ double nextRadius2(double radius2, std::uint32_t pass, double alpha) {
     return radius2 * (i + alpha) / (i + 1);
 }
 
-Image renderPpm(const World& world, const RenderOptions& options) {
+LayeredImage renderPpm(const World& world, const RenderOptions& options) {
     Film film(world.camera.width, world.camera.height);
     double radius2 = world.initialRadius * world.initialRadius;
     for (std::uint32_t pass = 0; pass < world.render.passes; ++pass) {
         const PhotonMap photons(tracePhotons(world, progressivePass(world, pass)));
         film.addPass([&](std::uint32_t pixel) { return ppmRadiance(world, photons, std::sqrt(radius2), pixel, pass); });
-        if (options.afterPass && !options.afterPass(pass + 1)) {
+        if (options.afterPass && !options.afterPass(pass + 1, film.error())) {
             break;
         }
         radius2 = nextRadius2(radius2, pass, world.render.alpha);

@@ -56,7 +56,8 @@ struct RenderSettings {
     Integrator integrator = Integrator::Ppm;
     std::uint32_t maxDepth =
         12; // ppm, path: segments of a whole path, 1..255; whitted: reflections and refractions in a row, 0..254
-    std::uint32_t passes = 64;      // >= 1
+    std::uint32_t passes = 64;      // >= 1; with a target error the most there may be
+    double targetError = 0;         // estimated error at which to stop, see docs/metrics.md; 0: none
     std::uint32_t photons = 200000; // emitted per pass, >= 1
     std::uint32_t seed = 1;
     RandomNumbers sampler = RandomNumbers::Sobol;
