@@ -1,6 +1,7 @@
 #include "base/progress.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <unistd.h>
@@ -23,7 +24,8 @@ std::string minutes(double seconds) {
 
 } // namespace
 
-std::string progressLine(std::size_t done, std::size_t total, double seconds, double timeLimit) {
+std::string progressLine(const ProgressState& state) {
+    const auto& [done, total, seconds, timeLimit, error] = state;
     double share = static_cast<double>(done) / static_cast<double>(total);
     double left = share > 0 ? seconds / share - seconds : 0;
     if (timeLimit > 0 && timeLimit - seconds < left) {
@@ -35,7 +37,13 @@ std::string progressLine(std::size_t done, std::size_t total, double seconds, do
     std::string line = '[' + std::string(filled, '#') + std::string(kBarWidth - filled, ' ') + "] ";
     line += std::string(3 - std::min<std::size_t>(3, percent.size()), ' ') + percent + " %  ";
     line += std::to_string(done) + '/' + std::to_string(total) + " passes  ";
-    return line + (done == 0 ? "starting" : minutes(left) + " left");
+    line += done == 0 ? "starting" : minutes(left) + " left";
+    if (error) {
+        std::array<char, 32> text{};
+        std::snprintf(text.data(), text.size(), "  error %.2g", *error);
+        line += text.data();
+    }
+    return line;
 }
 
 ProgressBar::ProgressBar(bool enabled) : shown_(enabled && isatty(STDERR_FILENO) != 0) {}
@@ -46,14 +54,14 @@ ProgressBar::~ProgressBar() {
     }
 }
 
-void ProgressBar::update(std::size_t done, std::size_t total, double seconds, double timeLimit) {
+void ProgressBar::update(const ProgressState& state) {
     const auto now = std::chrono::steady_clock::now();
     if (!shown_ || now < next_) {
         return;
     }
     next_ = now + kRedrawInterval;
     drawn_ = true;
-    std::fputs((kWipe + progressLine(done, total, seconds, timeLimit)).c_str(), stderr);
+    std::fputs((kWipe + progressLine(state)).c_str(), stderr);
     std::fflush(stderr);
 }
 

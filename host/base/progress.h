@@ -2,9 +2,18 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 
 namespace hyalite {
+
+struct ProgressState {
+    std::size_t done = 0;
+    std::size_t total = 1;            // >= 1
+    double seconds = 0;               // since the first step began
+    double timeLimit = 0;             // [s]; where it comes before the last step it counts instead of it; 0: none
+    std::optional<double> error = {}; // shown if known
+};
 
 class ProgressBar {
 public:
@@ -14,9 +23,8 @@ public:
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    // `done` of `total` steps (total >= 1) after `seconds`; redraws at most ten times a second. A time limit [s] that
-    // comes before the last step counts instead of it; 0: none.
-    void update(std::size_t done, std::size_t total, double seconds, double timeLimit = 0);
+    // Redraws at most ten times a second.
+    void update(const ProgressState& state);
 
 private:
     bool shown_;
@@ -24,7 +32,7 @@ private:
     std::chrono::steady_clock::time_point next_{};
 };
 
-// The bar's text, e.g. "[#####     ]  50 %  32/64 passes  0:12 left".
-[[nodiscard]] std::string progressLine(std::size_t done, std::size_t total, double seconds, double timeLimit);
+// The bar's text, e.g. "[#####     ]  50 %  32/64 passes  0:12 left  error 0.041".
+[[nodiscard]] std::string progressLine(const ProgressState& state);
 
 } // namespace hyalite

@@ -50,7 +50,9 @@ struct RenderCommand {
                                     {"--samples", "render.passes", {}},
                                     {"--photons", "render.photons", {}},
                                     {"--max-depth", "render.max_depth", {}},
-                                    {"--seed", "render.seed", {}}};
+                                    {"--seed", "render.seed", {}},
+                                    {"--sampler", "render.sampler", {}},
+                                    {"--target-error", "render.target_error", {}}};
     std::vector<std::string> settings; // key=value
 };
 
@@ -129,13 +131,14 @@ LayeredImage renderOnDevice(const RenderCommand& command, const Scene& scene, Pr
     renderOptions.profile = command.profile;
     renderOptions.timeLimit = command.time;
     renderOptions.onPass = [&](const render::Progress& p) {
-        bar.update(p.passes, p.ofPasses, p.seconds, command.time);
+        bar.update({p.passes, p.ofPasses, p.seconds, command.time, p.errorEstimate});
     };
     renderOptions.savePhotons = command.savePhotons;
     renderOptions.loadPhotons = command.loadPhotons;
     render::RenderResult result = render::render(context, compiler, scene, renderOptions);
     report.device = context.info().name + ", " + context.info().driver;
     report.passes = result.passes;
+    report.errorEstimate = result.errorEstimate;
     report.setupSeconds = result.setupSeconds;
     report.renderSeconds = result.renderSeconds;
     report.counts = result.counts;
@@ -152,12 +155,14 @@ LayeredImage renderByReference(const RenderCommand& command, const Scene& scene,
     const Stopwatch watch;
     report.device = "CPU, double precision";
     reference::RenderOptions options;
-    options.afterPass = [&](std::uint32_t passes) {
-        const render::Progress progress{passes, scene.render.passes, watch.seconds()};
-        bar.update(passes, scene.render.passes, progress.seconds, command.time);
+    options.afterPass = [&](std::uint32_t passes, std::optional<double> error) {
+        const render::Progress progress{passes, scene.render.passes, watch.seconds(), error};
+        bar.update({passes, scene.render.passes, progress.seconds, command.time, error});
         report.passes = passes;
+        report.errorEstimate = error;
         report.renderSeconds = progress.seconds;
-        return render::timeForAnotherPass(progress, command.time);
+        return render::timeForAnotherPass(progress, command.time) &&
+               !render::reachesTarget(progress, scene.render.targetError);
     };
     return reference::render(scene, options);
 }
@@ -169,6 +174,9 @@ std::vector<Layer> layersOf(const LayeredImage& image, bool all) {
         if (all) {
             layers.push_back({layer.name, layer.image});
         }
+    }
+    if (all && image.error) {
+        layers.push_back({"error", *image.error});
     }
     return layers;
 }
@@ -183,9 +191,10 @@ void refuseUnused(const RenderCommand& command, const Scene& scene) {
     const bool anyExr = std::ranges::any_of(
         command.outputs, [](const std::string& output) { return std::filesystem::path(output).extension() == ".exr"; });
     const bool hasLayers = photonMap || (command.backend == "vulkan" && scene.render.integrator == Integrator::Ppm);
-    if (command.layers && !hasLayers) {
-        throw Error(ExitCode::WrongUsage, "--layers has no use here: this picture is not a sum",
-                    "photonmap has layers, and ppm on the device");
+    if (command.layers && !hasLayers && scene.render.passes == 1) {
+        throw Error(ExitCode::WrongUsage,
+                    "--layers has no use here: this picture is not a sum, and one pass has no error",
+                    "photonmap has layers, and ppm on the device; the error needs two passes");
     }
     if (command.layers && !anyExr) {
         throw Error(ExitCode::WrongUsage, "--layers has no use without an .exr file to write them to",
@@ -217,6 +226,8 @@ void renderScene(RenderCommand command) {
     report.integrator = name(scene.render.integrator);
     report.backend = command.backend;
     report.seed = scene.render.seed;
+    report.sampler = scene.render.sampler == RandomNumbers::Sobol ? "sobol" : "independent";
+    report.targetError = scene.render.targetError;
     report.resolution = scene.camera.resolution;
     report.outputs = command.outputs;
     LayeredImage image;
@@ -232,9 +243,11 @@ void renderScene(RenderCommand command) {
                     {"integrator", report.integrator},
                     {"backend", report.backend},
                     {"seed", std::to_string(report.seed)},
+                    {"sampler", report.sampler},
                     {"passes", std::to_string(report.passes)}});
     }
     report.totalSeconds = watch.seconds();
+    warnOfTarget(report);
 
     for (const std::string& warning : report.notes.warnings) {
         std::cerr << "hyalite: warning: " << warning << '\n';
@@ -251,7 +264,7 @@ void renderScene(RenderCommand command) {
             std::cout << std::filesystem::absolute(output).lexically_normal().string() << ": " << report.resolution.x
                       << " x " << report.resolution.y << ", " << report.passes
                       << (report.passes == 1 ? " pass in " : " passes in ") << std::round(10 * report.totalSeconds) / 10
-                      << " s\n";
+                      << " s" << errorText(report) << '\n';
         }
     }
 }
@@ -276,6 +289,8 @@ void addRender(CLI::App& app, ExitCode&) {
     shorthand(4, "photons emitted per pass");
     shorthand(5, "longest path in segments; whitted: reflections and refractions in a row");
     shorthand(6, "seed of the random numbers");
+    shorthand(8, "stop when the estimated error is no larger; --passes is then the most there may be");
+    shorthand(7, "random numbers: sobol (evenly spread) or independent");
     sub->add_option("--backend", command->backend, "vulkan, or reference (CPU, double precision)")
         ->check(CLI::IsMember({"vulkan", "reference"}));
     sub->add_option("--device", command->device, "part of a device's name, or its number (see hyalite doctor)");
@@ -284,7 +299,8 @@ void addRender(CLI::App& app, ExitCode&) {
     sub->add_option("--shaders", command->shaders, "folder of shaders to use instead of the installed ones");
     sub->add_option("--set", command->settings, "set a key of the scene file, e.g. --set render.radius=0.01");
     sub->add_flag("--validation", command->validation, "check every Vulkan call with the validation layers");
-    sub->add_flag("--layers", command->layers, "write the parts that the picture is the sum of into .exr files too");
+    sub->add_flag("--layers", command->layers,
+                  "write the parts that the picture is the sum of, and its standard error, into .exr files too");
     sub->add_option("--save-photons", command->savePhotons, "photonmap: write the photon maps to this file");
     sub->add_option("--load-photons", command->loadPhotons,
                     "photonmap: read the photon maps from this file instead of tracing them");

@@ -17,7 +17,39 @@ double mean(const glm::dvec3& c) {
     return (c.x + c.y + c.z) / 3;
 }
 
+std::string threeDigits(double value) {
+    std::ostringstream text;
+    text << std::setprecision(3) << value;
+    return text.str();
+}
+
 } // namespace
+
+bool targetErrorMet(const RenderReport& report) {
+    return report.errorEstimate && *report.errorEstimate <= report.targetError;
+}
+
+void warnOfTarget(RenderReport& report) {
+    if (report.targetError > 0 && !targetErrorMet(report)) {
+        const std::string found = report.errorEstimate ? "the estimated error is " + threeDigits(*report.errorEstimate)
+                                                       : "there is no estimate";
+        report.notes.warnings.push_back("the target error of " + threeDigits(report.targetError) +
+                                        " was not reached: " + found + " after " + std::to_string(report.passes) +
+                                        (report.passes == 1 ? " pass" : " passes") +
+                                        " (allow more --passes or --time)");
+    }
+}
+
+std::string errorText(const RenderReport& report) {
+    if (!report.errorEstimate) {
+        return {};
+    }
+    const std::string text = ", estimated error " + threeDigits(*report.errorEstimate);
+    if (report.targetError <= 0) {
+        return text;
+    }
+    return text + " (target " + threeDigits(report.targetError) + (targetErrorMet(report) ? " met)" : " not met)");
+}
 
 std::string jsonReport(const RenderReport& report) {
     nlohmann::ordered_json object;
@@ -27,8 +59,14 @@ std::string jsonReport(const RenderReport& report) {
     object["backend"] = report.backend;
     object["device"] = report.device;
     object["seed"] = report.seed;
+    object["sampler"] = report.sampler;
     object["resolution"] = {report.resolution.x, report.resolution.y};
     object["passes"] = report.passes;
+    object["error_estimate"] = report.errorEstimate ? nlohmann::ordered_json(*report.errorEstimate) : nullptr;
+    if (report.targetError > 0) {
+        object["target_error"] = report.targetError;
+        object["target_error_met"] = targetErrorMet(report);
+    }
     object["seconds"] = {
         {"total", report.totalSeconds}, {"setup", report.setupSeconds}, {"render", report.renderSeconds}};
     if (report.counts) {

@@ -15,16 +15,28 @@ struct RenderReport {
     std::string backend;
     std::string device; // name and driver
     std::uint32_t seed = 0;
+    std::string sampler;
     glm::uvec2 resolution{0};
     std::vector<std::string> outputs;
     std::uint32_t passes = 0;
-    double totalSeconds = 0; // from start to written files
+    std::optional<double> errorEstimate; // see docs/metrics.md
+    double targetError = 0;              // asked for; 0: none
+    double totalSeconds = 0;             // from start to written files
     double setupSeconds = 0;
     double renderSeconds = 0;
     std::optional<render::Counts> counts; // the reference does not count
     render::RenderNotes notes;
     std::map<std::string, gpu::StageTime> stages;
 };
+
+// Whether the estimated error is no larger than what was asked for.
+[[nodiscard]] bool targetErrorMet(const RenderReport& report);
+
+// Adds a warning where it is larger.
+void warnOfTarget(RenderReport& report);
+
+// For the end of the summary, e.g. ", estimated error 0.0312 (target 0.05 met)"; empty where there is no estimate.
+[[nodiscard]] std::string errorText(const RenderReport& report);
 
 [[nodiscard]] std::string jsonReport(const RenderReport& report);
 

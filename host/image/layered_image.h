@@ -3,6 +3,7 @@
 
 #include "image/image.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct NamedImage {
 struct LayeredImage {
     Image picture;                  // the sum of the layers that are light, in their order
     std::vector<NamedImage> layers; // none where there is but one
+    std::optional<Image> error;     // standard error of the picture, by chance alone; none before the second pass
 };
 
 // layers[i] is of kind kinds[i], all of one size; some layer is light.

@@ -3,6 +3,7 @@
 
 #include "reference/sampling.h"
 #include "reference/world.h"
+#include "scene/render_seed.h"
 
 #include <cmath>
 
@@ -32,7 +33,7 @@ CameraFrame makeCameraFrame(const Camera& camera, const std::string& sceneFile) 
 
 Ray generateCameraRay(const World& world, std::uint32_t pixel, std::uint32_t pass) {
     const CameraFrame& camera = world.camera;
-    const shared::Sampler sampler = shared::cameraSampler(world.render.seed, pass, pixel);
+    const shared::Sampler sampler = shared::cameraSampler(renderSeed(world.render), pass, pixel);
     const glm::dvec2 uv = sampleUnitSquare(sampler, shared::kCameraPixel);
     const std::uint32_t x = pixel % camera.width;
     const std::uint32_t y = pixel / camera.width;

@@ -230,12 +230,12 @@ std::uint32_t chooseLight(const std::vector<Light>& lights, double x) {
 
 LightArrival sampleArrival(const World& world, const glm::dvec3& receiver, const LightChoice& choice) {
     const std::uint32_t vertex = choice.depth - 1;
-    shared::Sampler sampler{.seed = choice.samplerSeed, .index = choice.pass};
+    shared::Sampler sampler = shared::pathSampler(choice.samplerSeed, choice.pass);
     std::uint32_t light = 0;
     double pmf = 1;
     if (choice.light) {
         light = *choice.light;
-        sampler.seed = shared::hashCombine(sampler.seed, light);
+        sampler.seed = shared::deriveSequence(sampler.seed, light);
     } else {
         light = chooseLight(world.lights, sampleUnitSquare(sampler, shared::cameraLightChoice(vertex)).x);
         pmf = world.lights[light].pmf;

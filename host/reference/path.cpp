@@ -32,7 +32,7 @@ glm::dvec3 directLight(const World& world, const VisiblePoint& x, std::uint32_t 
 // By the cosine: f cos / pdfW = pi f. Roulette ends paths in proportion to what they still carry [Arvo90].
 std::optional<NextRay> bouncePath(const World& world, const VisiblePoint& x, const CameraPath& path,
                                   std::uint32_t pass) {
-    const shared::Sampler sampler{.seed = x.samplerSeed, .index = pass};
+    const shared::Sampler sampler = shared::pathSampler(x.samplerSeed, pass);
     const std::uint32_t vertex = x.depth - 1;
     const glm::dvec3 direction = cosineHemisphere(sampleUnitSquare(sampler, shared::pathBounce(vertex)), x.normal);
     if (glm::dot(direction, x.geometricNormal) <= 0) { // a smoothed normal leans over: this way leads into the surface
@@ -76,11 +76,11 @@ glm::dvec3 pathRadiance(const World& world, std::uint32_t pixel, std::uint32_t p
     return L;
 }
 
-Image renderPath(const World& world, const RenderOptions& options) {
+LayeredImage renderPath(const World& world, const RenderOptions& options) {
     Film film(world.camera.width, world.camera.height);
     for (std::uint32_t pass = 0; pass < world.render.passes; ++pass) {
         film.addPass([&](std::uint32_t pixel) { return pathRadiance(world, pixel, pass); });
-        if (options.afterPass && !options.afterPass(pass + 1)) {
+        if (options.afterPass && !options.afterPass(pass + 1, film.error())) {
             break;
         }
     }

@@ -18,6 +18,6 @@ namespace hyalite::reference {
 [[nodiscard]] std::optional<NextRay> bouncePath(const World& world, const VisiblePoint& x, const CameraPath& path,
                                                 std::uint32_t pass);
 
-[[nodiscard]] Image renderPath(const World& world, const RenderOptions& options);
+[[nodiscard]] LayeredImage renderPath(const World& world, const RenderOptions& options);
 
 } // namespace hyalite::reference

@@ -9,6 +9,7 @@
 #include "reference/sampling.h"
 #include "reference/shading.h"
 #include "reference/shadow_photons.h"
+#include "scene/render_seed.h"
 
 #include <cmath>
 #include <numbers>
@@ -22,7 +23,7 @@ using std::numbers::pi;
 
 PhotonMap traceGlobalMap(const World& world) {
     return PhotonMap(
-        tracePhotons(world, {.sequence = shared::photonSequence(world.render.seed, shared::kGlobalPhotons, 0),
+        tracePhotons(world, {.sequence = shared::photonSequence(renderSeed(world.render), shared::kGlobalPhotons, 0),
                              .count = world.render.photons,
                              .kinds = kGlobalKinds}));
 }
@@ -33,7 +34,7 @@ std::optional<PhotonMap> traceCausticMap(const World& world) {
         return std::nullopt;
     }
     return PhotonMap(
-        tracePhotons(world, {.sequence = shared::photonSequence(world.render.seed, shared::kCausticPhotons, 0),
+        tracePhotons(world, {.sequence = shared::photonSequence(renderSeed(world.render), shared::kCausticPhotons, 0),
                              .count = settings.causticPhotons,
                              .kinds = kindBit(PhotonKind::Caustic),
                              .aimed = settings.projectionMap}));
@@ -85,15 +86,16 @@ glm::dvec3 finalGather(const World& world, const PhotonMaps& maps, const Visible
     const std::uint32_t rays = world.render.photonMap.gatherRays;
     glm::dvec3 L(0);
     for (std::uint32_t ray = 0; ray < rays; ++ray) {
-        const std::uint32_t index = pass * rays + ray;
-        const shared::Sampler sampler{.seed = shared::gatherSequence(x.samplerSeed), .index = index};
+        const std::uint32_t gather = shared::gatherPass(pass, rays, ray);
+        const shared::Sampler sampler = shared::pathSampler(shared::gatherSequence(x.samplerSeed), gather);
         const glm::dvec3 direction = cosineHemisphere(sampleUnitSquare(sampler, shared::kGatherDirection), x.normal);
         if (glm::dot(direction, x.geometricNormal) <= 0) {
             continue;
         }
         const double entering = x.coated ? coatTransmission(glm::dot(direction, x.normal)) : 1;
         followPath(world, {.origin = x.shadowOrigin, .direction = direction},
-                   {.beta = x.f * (pi * entering), .samplerSeed = sampler.seed}, 1, index, [&](const Shading& shading) {
+                   {.beta = x.f * (pi * entering), .samplerSeed = sampler.seed}, 1, gather,
+                   [&](const Shading& shading) {
                        if (shading.visible) {
                            L += lookUp(world, maps, *shading.visible) / static_cast<double>(rays);
                        }

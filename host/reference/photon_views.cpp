@@ -138,7 +138,7 @@ LayeredImage renderPhotonMap(const World& world, const RenderOptions& options) {
     LayeredFilm film(world.camera.width, world.camera.height, layers.kinds);
     for (std::uint32_t pass = 0; pass < world.render.passes; ++pass) {
         film.addPass([&](std::uint32_t pixel) { return layers.sample(pixel, pass); });
-        if (options.afterPass && !options.afterPass(pass + 1)) {
+        if (options.afterPass && !options.afterPass(pass + 1, film.error())) {
             break;
         }
     }

@@ -8,6 +8,7 @@
 #include "reference/medium.h"
 #include "reference/sampling.h"
 #include "reference/texture.h"
+#include "scene/render_seed.h"
 
 #include <algorithm>
 
@@ -48,7 +49,7 @@ void tracePhoton(const World& world, const Ray& ray, const PhotonPath& path, std
 } // namespace
 
 PhotonPass progressivePass(const World& world, std::uint32_t pass) {
-    return {.sequence = shared::photonSequence(world.render.seed, shared::kGlobalPhotons, pass),
+    return {.sequence = shared::photonSequence(renderSeed(world.render), shared::kGlobalPhotons, pass),
             .count = world.render.photons,
             .kinds = kindBit(PhotonKind::Indirect) | kindBit(PhotonKind::Caustic)};
 }

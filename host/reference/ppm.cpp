@@ -5,6 +5,7 @@
 #include "geometry/search_radius.h"
 #include "reference/film.h"
 #include "reference/shading.h"
+#include "scene/render_seed.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,7 @@ PhotonPass globalPass(const World& world, std::uint32_t pass) {
 }
 
 PhotonPass causticPass(const World& world, std::uint32_t pass) {
-    return {.sequence = shared::photonSequence(world.render.seed, shared::kCausticPhotons, pass),
+    return {.sequence = shared::photonSequence(renderSeed(world.render), shared::kCausticPhotons, pass),
             .count = world.render.photonMap.causticPhotons,
             .kinds = kindBit(PhotonKind::Caustic),
             .aimed = world.render.photonMap.projectionMap};
@@ -111,13 +112,13 @@ double nextRadius2(double radius2, std::uint32_t pass, double alpha) {
     return radius2 * (i + alpha) / (i + 1);
 }
 
-Image renderPpm(const World& world, const RenderOptions& options) {
+LayeredImage renderPpm(const World& world, const RenderOptions& options) {
     Film film(world.camera.width, world.camera.height);
     SearchRadii radii = firstRadii(world);
     for (std::uint32_t pass = 0; pass < world.render.passes; ++pass) {
         const ProgressiveMaps maps = traceProgressive(world, radii, pass);
         film.addPass([&](std::uint32_t pixel) { return ppmRadiance(world, maps, pixel, pass); });
-        if (options.afterPass && !options.afterPass(pass + 1)) {
+        if (options.afterPass && !options.afterPass(pass + 1, film.error())) {
             break;
         }
         for (double* radius : {&radii.global, &radii.caustic}) {

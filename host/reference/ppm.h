@@ -40,6 +40,6 @@ struct SearchRadii {
 // Squared search radius [m^2] of the pass after `pass` (counted from 0), given the squared radius of that pass.
 [[nodiscard]] double nextRadius2(double radius2, std::uint32_t pass, double alpha);
 
-[[nodiscard]] Image renderPpm(const World& world, const RenderOptions& options);
+[[nodiscard]] LayeredImage renderPpm(const World& world, const RenderOptions& options);
 
 } // namespace hyalite::reference

@@ -18,15 +18,15 @@ LayeredImage render(const Scene& scene, const RenderOptions& options) {
     }
     switch (scene.render.integrator) {
     case Integrator::Whitted:
-        return {.picture = renderWhitted(world, options), .layers = {}};
+        return renderWhitted(world, options);
     case Integrator::PhotonMap:
         return renderPhotonMap(world, options);
     case Integrator::Path:
-        return {.picture = renderPath(world, options), .layers = {}};
+        return renderPath(world, options);
     case Integrator::Ppm:
         break;
     }
-    return {.picture = renderPpm(world, options), .layers = {}};
+    return renderPpm(world, options);
 }
 
 } // namespace hyalite::reference

@@ -7,12 +7,14 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 namespace hyalite::reference {
 
 struct RenderOptions {
-    // Called after each pass with the number of passes done; false ends the rendering there. Empty: all passes.
-    std::function<bool(std::uint32_t passesDone)> afterPass;
+    // Called after each pass with the number of passes done and the estimated error, see docs/metrics.md; false ends
+    // the rendering there. Empty: all passes.
+    std::function<bool(std::uint32_t passesDone, std::optional<double> error)> afterPass;
 };
 
 // The mean of the passes rendered, by the integrator and settings of scene.render. The same bits for any number of

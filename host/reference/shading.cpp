@@ -7,6 +7,7 @@
 #include "reference/medium.h"
 #include "reference/sampling.h"
 #include "reference/texture.h"
+#include "scene/render_seed.h"
 
 #include <algorithm>
 #include <numbers>
@@ -30,10 +31,10 @@ std::array<std::optional<NextRay>, 2> splitAtDielectric(const Surface& surface, 
     const double F = fresnelDielectric(incidentCosine(direction, surface.normal), eta);
     std::array<std::optional<NextRay>, 2> next;
     next[0] = follow(surface, {.direction = reflect(direction, surface.normal), .weight = glm::dvec3(F)}, path,
-                     shared::hashCombine(path.samplerSeed, 1));
+                     shared::deriveSequence(path.samplerSeed, 1));
     if (const auto refracted = refract(direction, surface.normal, eta)) {
         next[1] = follow(surface, {.direction = *refracted, .weight = glm::dvec3((1 - F) * eta * eta), .through = true},
-                         path, shared::hashCombine(path.samplerSeed, 2));
+                         path, shared::deriveSequence(path.samplerSeed, 2));
     }
     return next;
 }
@@ -62,7 +63,7 @@ void leaveByLobe(Shading& shading, const Surface& surface, const Ray& ray, const
                  std::uint32_t depth, std::uint32_t pass, double choice) {
     glm::dvec2 uv(0);
     if (lobe.alpha > 0) {
-        uv = sampleUnitSquare({.seed = path.samplerSeed, .index = pass}, shared::cameraBounce(depth - 1));
+        uv = sampleUnitSquare(shared::pathSampler(path.samplerSeed, pass), shared::cameraBounce(depth - 1));
         shading.rough = RoughPoint{.surface = surface,
                                    .lobe = lobe,
                                    .wo = -ray.direction,
@@ -94,7 +95,7 @@ VisiblePoint visibleAt(const Surface& surface, const DiffusePart& diffuse, const
 
 CameraPath beginCameraPath(const World& world, std::uint32_t pixel, std::uint32_t pass) {
     return {.beta = glm::dvec3(1),
-            .samplerSeed = shared::cameraSampler(world.render.seed, pass, pixel).seed,
+            .samplerSeed = shared::cameraSampler(renderSeed(world.render), pass, pixel).seed,
             .medium = nullptr};
 }
 
@@ -128,7 +129,7 @@ Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const C
     const std::optional<Lobe> lobe = lobeOf(model, surface.front);
     const double cosOut = incidentCosine(ray.direction, surface.normal);
     const double probability = lobeProbability(lobe, diffuse, cosOut);
-    const shared::Sampler sampler{.seed = path.samplerSeed, .index = pass};
+    const shared::Sampler sampler = shared::pathSampler(path.samplerSeed, pass);
     const double choice = sampleUnitSquare(sampler, shared::cameraScatter(depth - 1)).x;
     const bool both = whitted && diffuse && lobe;
 

@@ -14,7 +14,7 @@ namespace hyalite::reference {
 // The state of a camera path that has not yet met a diffuse surface.
 struct CameraPath {
     glm::dvec3 beta{1};               // throughput: what one unit of radiance along the present ray adds to the pixel
-    std::uint32_t samplerSeed = 0;    // the sampler's index is the pass
+    std::uint32_t samplerSeed = 0;    // see shared::pathSampler
     const Material* medium = nullptr; // of the world: the dielectric that it runs in; nullptr: none
     double pdfW = 0;                  // density of the present direction [1/sr]; 0: by the camera or a smooth surface
 };

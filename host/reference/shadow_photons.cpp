@@ -4,6 +4,7 @@
 #include "reference/bsdf.h"
 #include "reference/photons.h"
 #include "reference/texture.h"
+#include "scene/render_seed.h"
 #include "shaders/shared/limits.h"
 
 #include <algorithm>
@@ -39,7 +40,8 @@ void castPhoton(const World& world, Ray ray, std::uint32_t photon, std::uint32_t
 } // namespace
 
 std::vector<Photon> castShadowPhotons(const World& world, std::uint32_t pass) {
-    const PhotonPass photonPass{.sequence = shared::photonSequence(world.render.seed, shared::kShadowPhotons, pass),
+    const PhotonPass photonPass{.sequence =
+                                    shared::photonSequence(renderSeed(world.render), shared::kShadowPhotons, pass),
                                 .count = world.render.photons};
     constexpr std::size_t kBlock = 1024;
     std::vector<std::vector<Photon>> blocks((photonPass.count + kBlock - 1) / kBlock);

@@ -40,11 +40,11 @@ glm::dvec3 whittedRadiance(const World& world, std::uint32_t pixel, std::uint32_
     return traceTree(world, generateCameraRay(world, pixel, pass), beginCameraPath(world, pixel, pass), 1, pass);
 }
 
-Image renderWhitted(const World& world, const RenderOptions& options) {
+LayeredImage renderWhitted(const World& world, const RenderOptions& options) {
     Film film(world.camera.width, world.camera.height);
     for (std::uint32_t pass = 0; pass < world.render.passes; ++pass) {
         film.addPass([&](std::uint32_t pixel) { return whittedRadiance(world, pixel, pass); });
-        if (options.afterPass && !options.afterPass(pass + 1)) {
+        if (options.afterPass && !options.afterPass(pass + 1, film.error())) {
             break;
         }
     }

@@ -12,6 +12,6 @@ namespace hyalite::reference {
 // Radiance [W/(m^2 sr)] of one sample, `pass`, of a pixel.
 [[nodiscard]] glm::dvec3 whittedRadiance(const World& world, std::uint32_t pixel, std::uint32_t pass);
 
-[[nodiscard]] Image renderWhitted(const World& world, const RenderOptions& options);
+[[nodiscard]] LayeredImage renderWhitted(const World& world, const RenderOptions& options);
 
 } // namespace hyalite::reference

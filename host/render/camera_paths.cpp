@@ -1,5 +1,7 @@
 #include "render/camera_paths.h"
 
+#include "scene/render_seed.h"
+
 namespace hyalite::render {
 
 namespace {
@@ -24,8 +26,8 @@ CameraPaths::CameraPaths(Device& device, const Scene& scene, const DeviceScene& 
 void CameraPaths::generate(std::uint32_t pass) {
     queue_.count = queue_.capacity();
     device_.commands.run(generateCameraRays_,
-                         shared::GenerateCameraRaysArguments{queue_.rays, queue_.paths, deviceScene_.camera,
-                                                             queue_.count, scene_.render.seed, pass},
+                         shared::GenerateCameraRaysArguments{queue_.rays, queue_.paths, renderSeed(scene_.render),
+                                                             deviceScene_.camera, queue_.count, pass},
                          queue_.count);
 }
 

@@ -4,6 +4,7 @@
 #include "base/fnv.h"
 #include "base/output_file.h"
 #include "scene/input_file.h"
+#include "scene/render_seed.h"
 
 #include <bit>
 #include <cstring>
@@ -60,7 +61,7 @@ std::uint64_t photonFingerprint(const Scene& scene, const DeviceScene& deviceSce
     state = fnvOf(deviceScene.triangles, state);
     const RenderSettings& render = scene.render;
     const PhotonMapSettings& maps = render.photonMap;
-    const std::array<std::uint32_t, 6> settings{render.photons,     render.seed,
+    const std::array<std::uint32_t, 6> settings{render.photons,     renderSeed(render).sequence,
                                                 render.maxDepth,    maps.causticPhotons,
                                                 maps.projectionMap, maps.shadowPhotons > 0 ? 1U : 0U};
     return fnv(std::as_bytes(std::span(settings)), state);

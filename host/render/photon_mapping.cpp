@@ -186,16 +186,16 @@ void PhotonMapping::gatherIndirectLight(std::uint32_t pass) {
     const float scale = 1 / static_cast<float>(settings.gatherRays);
     commands.clear(indirect_.buffer());
     for (std::uint32_t ray = 0; ray < settings.gatherRays; ++ray) {
-        const std::uint32_t index = pass * settings.gatherRays + ray;
+        const std::uint32_t gather = shared::gatherPass(pass, settings.gatherRays, ray);
         CameraQueue& queue = cameraPaths_.queue();
         commands.run(startGatherRays_,
                      shared::StartGatherRaysArguments{visiblePoints_, queue.nextRays, queue.nextPaths, queue.alive,
-                                                      pixels, index},
+                                                      pixels, gather},
                      pixels);
         commands.clear(gatherPoints_.buffer());
         cameraPaths_.compact(pixels);
         // Light straight from lamps, wherever it falls on the way, is caustic or direct light
-        counts_.cameraRays += cameraPaths_.follow(index, gatherPoints_, unused_, nullptr).camera;
+        counts_.cameraRays += cameraPaths_.follow(gather, gatherPoints_, unused_, nullptr).camera;
         if (settings.precomputedIrradiance) {
             maps_.addIrradiance(gatherPoints_, indirect_, scale);
         } else {

@@ -2,6 +2,7 @@
 
 #include "render/photon_slots.h"
 #include "scene/bounds.h"
+#include "scene/render_seed.h"
 
 #include <algorithm>
 #include <utility>
@@ -45,7 +46,7 @@ void PhotonMaps::trace() {
 std::vector<shared::Photon> PhotonMaps::traceGlobal() {
     PhotonPaths paths(device_, scene_, deviceScene_, scene_.render.photons);
     const std::uint32_t slots =
-        paths.trace({.sequence = shared::photonSequence(scene_.render.seed, shared::kGlobalPhotons, 0),
+        paths.trace({.sequence = shared::photonSequence(renderSeed(scene_.render), shared::kGlobalPhotons, 0),
                      .count = scene_.render.photons,
                      .kinds = kAllLight,
                      .account = true});
@@ -61,7 +62,7 @@ std::vector<shared::Photon> PhotonMaps::traceCaustics() {
     }
     PhotonPaths paths(device_, scene_, deviceScene_, settings_.causticPhotons);
     const std::uint32_t slots =
-        paths.trace({.sequence = shared::photonSequence(scene_.render.seed, shared::kCausticPhotons, 0),
+        paths.trace({.sequence = shared::photonSequence(renderSeed(scene_.render), shared::kCausticPhotons, 0),
                      .count = settings_.causticPhotons,
                      .kinds = 1U << shared::kPhotonCaustic,
                      .aimed = settings_.projectionMap});

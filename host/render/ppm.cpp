@@ -3,6 +3,7 @@
 #include "geometry/search_radius.h"
 #include "render/photon_slots.h"
 #include "scene/bounds.h"
+#include "scene/render_seed.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +63,7 @@ std::vector<Ppm::Photons> Ppm::photonsOf(const Scene& scene, const DeviceScene& 
 }
 
 PhotonPass Ppm::photonPass(const Photons& photons, std::uint32_t pass) const {
-    return {.sequence = shared::photonSequence(scene_.render.seed, photons.purpose, pass),
+    return {.sequence = shared::photonSequence(renderSeed(scene_.render), photons.purpose, pass),
             .count = photons.count,
             .kinds = photons.kinds,
             .aimed = photons.aimed};

@@ -6,6 +6,8 @@
 #include "render/ppm.h"
 #include "render/whitted.h"
 
+#include <bit>
+
 namespace hyalite::render {
 
 namespace {
@@ -45,27 +47,43 @@ bool timeForAnotherPass(const Progress& progress, double timeLimit) {
     return timeLimit <= 0 || progress.passes == 0 || progress.seconds * (1 + 1.0 / progress.passes) <= timeLimit;
 }
 
+bool looksAtError(std::uint32_t passes) {
+    constexpr std::uint32_t kParts = 8;
+    return passes >= kPassesToBelieve && passes % (std::bit_floor(passes) / kParts) == 0;
+}
+
+bool reachesTarget(const Progress& progress, double targetError) {
+    return targetError > 0 && looksAtError(progress.passes) && progress.errorEstimate &&
+           *progress.errorEstimate <= targetError;
+}
+
 RenderResult render(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const Scene& scene,
                     const RenderOptions& options) {
     const Stopwatch setup;
     Device device(context, compiler, options.profile);
     const DeviceScene deviceScene = uploadScene(context, device.tables, scene);
-    const Film film(device, scene.camera.resolution, layersOf(scene));
+    Film film(device, scene.camera.resolution, layersOf(scene));
     const auto integrator = makeIntegrator(device, scene, deviceScene, film, options);
 
     RenderResult result;
     result.setupSeconds = setup.seconds();
     const Stopwatch passes;
-    Progress progress{0, scene.render.passes, 0};
-    while (progress.passes < progress.ofPasses && timeForAnotherPass(progress, options.timeLimit)) {
+    Progress progress{.passes = 0, .ofPasses = scene.render.passes, .seconds = 0, .errorEstimate = std::nullopt};
+    while (progress.passes < progress.ofPasses && timeForAnotherPass(progress, options.timeLimit) &&
+           !reachesTarget(progress, scene.render.targetError)) {
+        film.beginPass(progress.passes);
         integrator->renderPass(progress.passes);
         ++progress.passes;
+        if (looksAtError(progress.passes)) {
+            progress.errorEstimate = film.estimateError(device, progress.passes);
+        }
         progress.seconds = passes.seconds();
         if (options.onPass) {
             options.onPass(progress);
         }
     }
     result.image = film.resolve(device, progress.passes);
+    result.errorEstimate = film.estimateError(device, progress.passes);
     result.passes = progress.passes;
     result.renderSeconds = progress.seconds;
     result.counts = integrator->counts();

@@ -9,13 +9,15 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 
 namespace hyalite::render {
 
 struct Progress {
-    std::uint32_t passes = 0;   // done
-    std::uint32_t ofPasses = 0; // asked for
-    double seconds = 0;         // since the first pass began
+    std::uint32_t passes = 0;            // done
+    std::uint32_t ofPasses = 0;          // asked for
+    double seconds = 0;                  // since the first pass began
+    std::optional<double> errorEstimate; // when last looked at, see looksAtError
 };
 
 struct RenderOptions {
@@ -29,19 +31,30 @@ struct RenderOptions {
 struct RenderResult {
     LayeredImage image;
     std::uint32_t passes = 0;
-    double setupSeconds = 0;  // kernels, scene, hierarchies
-    double renderSeconds = 0; // passes
+    double setupSeconds = 0;             // kernels, scene, hierarchies
+    double renderSeconds = 0;            // passes
+    std::optional<double> errorEstimate; // of the picture, see docs/metrics.md; none of a single pass
     Counts counts;
     RenderNotes notes;
     std::map<std::string, gpu::StageTime> stages; // with profile
 };
 
-// Renders scene.render.passes passes, fewer where the time limit comes first (one at least).
+// Renders scene.render.passes passes, fewer where the time limit or the target error comes first (one at least).
 // Throws Error(Device) when the device has no room for the scene or fails.
 [[nodiscard]] RenderResult render(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const Scene& scene,
                                   const RenderOptions& options);
 
 // Whether a pass that takes as long as the passes before it on average would end within `timeLimit` [s]; 0: always.
 [[nodiscard]] bool timeForAnotherPass(const Progress& progress, double timeLimit);
+
+// Whether to estimate the error after so many passes: every 8th to 16th part of them, whatever time they took, so that
+// estimates cost little beside the passes, and the same scene stops at the same pass on every machine. Not before
+// kPassesToBelieve passes: what few paths find (a caustic, a lamp in a mirror) shows in the variance only once some
+// have found it.
+inline constexpr std::uint32_t kPassesToBelieve = 16;
+[[nodiscard]] bool looksAtError(std::uint32_t passes);
+
+// Whether the error was estimated after the last pass and is no larger than what was asked for; never where that is 0.
+[[nodiscard]] bool reachesTarget(const Progress& progress, double targetError);
 
 } // namespace hyalite::render

@@ -1,6 +1,7 @@
 #include "render/shadow_photons.h"
 
 #include "render/photon_slots.h"
+#include "scene/render_seed.h"
 
 namespace hyalite::render {
 
@@ -16,11 +17,11 @@ std::uint32_t ShadowPhotonPaths::cast(std::uint32_t count) {
     PhotonQueue& queue = queue_;
     std::uint32_t slots = 0;
     queue.count = count;
-    commands.run(emitPhotons_,
-                 shared::EmitPhotonsArguments{deviceScene_.lights, queue.rays, queue.paths, queue.count,
-                                              deviceScene_.lightCount,
-                                              shared::photonSequence(scene_.render.seed, shared::kShadowPhotons, 0)},
-                 queue.count);
+    commands.run(
+        emitPhotons_,
+        shared::EmitPhotonsArguments{deviceScene_.lights, queue.rays, queue.paths, queue.count, deviceScene_.lightCount,
+                                     shared::photonSequence(renderSeed(scene_.render), shared::kShadowPhotons, 0)},
+        queue.count);
     for (std::uint32_t depth = 1; queue.count > 0 && depth <= shared::kMaxDepth; ++depth) {
         reservePhotonSlots(device_, photons_, slots + queue.count);
         commands.run(traceClosest_,

@@ -1,5 +1,7 @@
 #include "render/whitted.h"
 
+#include "scene/render_seed.h"
+
 #include <utility>
 
 namespace hyalite::render {
@@ -31,8 +33,8 @@ void Whitted::renderPass(std::uint32_t pass) {
     CameraQueue& queue = level_.queue;
     queue.count = film_.pixelCount();
     device_.commands.run(generateCameraRays_,
-                         shared::GenerateCameraRaysArguments{queue.rays, queue.paths, deviceScene_.camera, queue.count,
-                                                             scene_.render.seed, pass},
+                         shared::GenerateCameraRaysArguments{queue.rays, queue.paths, renderSeed(scene_.render),
+                                                             deviceScene_.camera, queue.count, pass},
                          queue.count);
     // One level of every pixel's tree of rays at a time
     for (std::uint32_t depth = 1; level_.queue.count > 0; ++depth) {

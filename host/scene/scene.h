@@ -28,6 +28,7 @@ struct Camera {
 };
 
 enum class Integrator { Whitted, Ppm, PhotonMap, Path };
+enum class RandomNumbers { Sobol, Independent };
 
 // Integrator photonmap: two passes, photons from the lights and rays from the eye [Jensen01].
 enum class PhotonStructure { Tree, Grid };
@@ -55,9 +56,11 @@ struct RenderSettings {
     Integrator integrator = Integrator::Ppm;
     std::uint32_t maxDepth =
         12; // ppm, path: segments of a whole path, 1..255; whitted: reflections and refractions in a row, 0..254
-    std::uint32_t passes = 64;      // >= 1
+    std::uint32_t passes = 64;      // >= 1; with a target error the most there may be
+    double targetError = 0;         // estimated error at which to stop, see docs/metrics.md; 0: none
     std::uint32_t photons = 200000; // emitted per pass, >= 1
     std::uint32_t seed = 1;
+    RandomNumbers sampler = RandomNumbers::Sobol;
     double radius = 0; // [m]; ppm: search radius of the first pass, 0: 1/100 of the radius of the scene's bounding
                        // sphere; photonmap: the photons of an estimate lie no farther, 0: 1/8 of that radius
     double alpha = 2.0 / 3.0; // ppm: how much of the photons a shrinking radius keeps [Knaus11], in (0, 1)

@@ -19,6 +19,7 @@ constexpr Range kAperture{0, kLargestLength, true, true, "m"};
 constexpr Range kFocus{kSmallestLength, kLargestLength, true, true, "m"};
 constexpr Range kSide{1, kLargestSide, true, true, "pixels"};
 constexpr Range kCount{1, std::numeric_limits<std::uint32_t>::max()};
+constexpr Range kTargetError{0, 1e9};
 constexpr Range kPhotons{1, kMostPhotons};
 constexpr Range kSeed{0, std::numeric_limits<std::uint32_t>::max()};
 constexpr Range kSearchRadius{0, kLargestLength, true, true, "m"};
@@ -33,6 +34,11 @@ constexpr std::array<Choice<Integrator>, 4> kIntegrators{{
     {"ppm", Integrator::Ppm},
     {"photonmap", Integrator::PhotonMap},
     {"path", Integrator::Path},
+}};
+
+constexpr std::array<Choice<RandomNumbers>, 2> kSamplers{{
+    {"sobol", RandomNumbers::Sobol},
+    {"independent", RandomNumbers::Independent},
 }};
 
 // The place of a key, or of the map around it when the key is not written there.
@@ -78,8 +84,12 @@ void readRenderSettings(const Value& value, RenderSettings& render) {
         render.integrator = choose<Integrator>(*name, "integrator", kIntegrators);
     }
     reader.optional("passes", render.passes, kCount);
+    reader.optional("target_error", render.targetError, kTargetError);
     reader.optional("photons", render.photons, kPhotons);
     reader.optional("seed", render.seed, kSeed);
+    if (const auto name = reader.find("sampler")) {
+        render.sampler = choose<RandomNumbers>(*name, "sampler", kSamplers);
+    }
     reader.optional("radius", render.radius, kSearchRadius);
     reader.optional("alpha", render.alpha, kAlpha);
     reader.optional("min_weight", render.minWeight, kShare);

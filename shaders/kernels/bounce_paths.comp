@@ -20,7 +20,7 @@ void main() {
         return; // the path left by a lobe or has ended
     }
     uint vertex = x.depth - 1u;
-    Sampler numbers = Sampler(x.samplerSeed, args.pass);
+    Sampler numbers = pathSampler(x.samplerSeed, args.pass);
     vec3 direction = cosineHemisphere(sampleUnit(numbers, pathBounce(vertex)), x.normal);
     if (dot(direction, unpackDirection(x.geometricNormal, 16u)) <= 0.0) {
         return; // a smoothed normal leans over the edge of the surface: this way leads into it

@@ -9,6 +9,6 @@ layout(push_constant, scalar) uniform Push { ResolveFilmArguments args; };
 void main() {
     uint i = threadIndex();
     if (i < args.count) {
-        args.image.at[i] = args.film.at[i] * args.scale;
+        args.image.at[i] = (args.first.at[i] + args.second.at[i]) * args.scale;
     }
 }

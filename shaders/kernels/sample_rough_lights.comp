@@ -22,7 +22,7 @@ void main() {
     }
     uint vertex = x.depth - 1u;
     bool one = args.light == kNone; // one light in proportion to power; else the light asked for, with its own numbers
-    Sampler s = Sampler(one ? x.samplerSeed : hashCombine(x.samplerSeed, args.light), args.pass);
+    Sampler s = pathSampler(one ? x.samplerSeed : deriveSequence(x.samplerSeed, args.light), args.pass);
     uint index = one ? pickLight(args.lights, args.lightCount, sampleUnit(s, cameraLightChoice(vertex)).x) : args.light;
     LightRecord light = args.lights.at[index];
     float pmf = one ? light.pmf : 1.0;

@@ -54,18 +54,18 @@ void splitAtGlass(uint slot, Surface s, vec3 wo, Lobe lobe, CameraPath path) {
     float reflectance = meetInterface(cosOut, lobe.eta).reflectance;
     BsdfSample next = sampleSmooth(lobe, s.normal, wo, 0.0, true);
     next.weight *= reflectance;
-    follow(slot, s, next, path, hashCombine(path.samplerSeed, 1u));
+    follow(slot, s, next, path, deriveSequence(path.samplerSeed, 1u));
     if (reflectance < 1.0) {
         next = sampleSmooth(lobe, s.normal, wo, 1.0, true);
         next.weight *= 1.0 - reflectance;
-        follow(slot + 1u, s, next, path, hashCombine(path.samplerSeed, 2u));
+        follow(slot + 1u, s, next, path, deriveSequence(path.samplerSeed, 2u));
     }
 }
 
 // Sends the path on; at a rough lobe the lights are to be sampled too. Its throughput has the lobe's probability
 // divided out.
 void leaveByLobe(uint slot, Surface s, vec3 wo, Lobe lobe, CameraPath path, float choice) {
-    Sampler numbers = Sampler(path.samplerSeed, args.pass);
+    Sampler numbers = pathSampler(path.samplerSeed, args.pass);
     vec2 u = vec2(0.0);
     if (sceneHasRoughLobes() && lobe.alpha > 0.0) {
         u = sampleUnit(numbers, cameraBounce(args.depth - 1u));
@@ -88,7 +88,7 @@ void scatter(uint slot, Surface s, MaterialRecord material, vec3 wo, CameraPath 
     }
     DiffusePart diffuse = diffusePart(material);
     float cosOut = clamp(dot(wo, s.normal), 0.0, 1.0);
-    float choice = sampleUnit(Sampler(path.samplerSeed, args.pass), cameraScatter(args.depth - 1u)).x;
+    float choice = sampleUnit(pathSampler(path.samplerSeed, args.pass), cameraScatter(args.depth - 1u)).x;
     float probability = lobeProbability(material, lobe, diffuse, cosOut);
     bool both = args.split != 0u && probability > 0.0 && probability < 1.0;
     if (both || choice >= probability) {

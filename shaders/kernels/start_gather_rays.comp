@@ -19,7 +19,7 @@ void main() {
         return;
     }
     uint sequence = gatherSequence(x.samplerSeed);
-    vec3 direction = cosineHemisphere(sampleUnit(Sampler(sequence, args.index), kGatherDirection), x.normal);
+    vec3 direction = cosineHemisphere(sampleUnit(pathSampler(sequence, args.pass), kGatherDirection), x.normal);
     if (dot(direction, unpackDirection(x.geometricNormal, 16u)) <= 0.0) {
         return; // a smoothed normal leans over the edge of the surface: no light comes from within
     }

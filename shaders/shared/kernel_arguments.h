@@ -11,9 +11,9 @@ SHARED_BEGIN
 struct GenerateCameraRaysArguments {
     RayArray rays;         // out, one per pixel
     CameraPathArray paths; // out, one per pixel
+    RenderSeed seed;
     CameraRecord camera;
     uint count; // pixels
-    uint seed;
     uint pass;
 };
 
@@ -364,7 +364,7 @@ struct StartGatherRaysArguments {
     CameraPathArray paths; // out
     UintArray alive;       // out
     uint count;
-    uint index; // of the rays among all rays of a visible point: pass * rays per pass + ray
+    uint pass; // gatherPass
 };
 
 // Makes visible points of the photons that are marked, so that their irradiance can be estimated.
@@ -442,11 +442,28 @@ struct AccumulateFilmArguments {
     float scale;     // of the colours
 };
 
+// A layer's sums over the passes of either camera sequence.
 struct ResolveFilmArguments {
-    ColorArray film;
-    ColorArray image; // out: film times scale
+    ColorArray first;
+    ColorArray second;
+    ColorArray image; // out: both times scale
     uint count;
     float scale; // 1 / passes
+};
+
+SHARED_CONSTANT kErrorChunk = 64u; // so many pixels' relative squared errors one thread adds up, or one less
+
+// How far the means over the passes of the two camera sequences say that their common mean is from the truth.
+struct EstimateErrorArguments {
+    ColorArray first; // sums over each sequence's passes, layer after layer
+    ColorArray second;
+    ColorArray errors; // out: standard error of each pixel [W/(m^2 sr)]
+    FloatArray sums;   // out, one per thread: of variance / (mean^2 + 0.01), over pixels and channels
+    uint count;        // pixels
+    float firstPasses; // >= 1
+    float secondPasses;
+    uint layers;
+    uint light; // bit i is set where layer i is part of the picture
 };
 
 SHARED_END

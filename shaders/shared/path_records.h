@@ -30,7 +30,7 @@ SHARED_CONSTANT kHitEnters = 0x80000000u;
 struct CameraPath {
     vec3 beta;        // throughput: what one unit of radiance along the present ray adds to the pixel
     uint pixel;       // y * width + x, row 0 on top
-    uint samplerSeed; // see Sampler; the index is the pass
+    uint samplerSeed; // see pathSampler
     uint medium;      // the dielectric material that it runs in; kNone: none
     float pdfW; // density with which its present direction was chosen [1/sr]; 0: by the lens or a specular surface, or
                 // no light was sampled where it was chosen

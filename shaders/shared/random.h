@@ -1,6 +1,7 @@
 // Counter-based random numbers, the same bits in C++ and GLSL: a sampler names a sequence and a place in it, a
 // dimension picks a pair of numbers there. The pairs are Owen-scrambled Sobol points, shuffled per dimension so that
 // dimensions pad one another [Burley20]; the second Sobol coordinate is Pascal's matrix mod 2, in five steps [Ahmed24].
+// Or they are independent of one another, hashes of their place: to measure what the Sobol points gain.
 #ifndef HYALITE_SHARED_RANDOM_H
 #define HYALITE_SHARED_RANDOM_H
 #include "language.h"
@@ -48,16 +49,45 @@ SHARED_FUNCTION uint pascal(uint x) {
 
 // The place of one path in its sequence.
 struct Sampler {
-    uint seed;  // names the sequence
+    uint seed;  // names the sequence; the lowest bit is the kind of its numbers
     uint index; // place in it: successive indices fill the unit square evenly
 };
 
-// Camera paths: one sequence per pixel, whose successive points are the passes.
-SHARED_FUNCTION Sampler cameraSampler(uint seed, uint pass, uint pixel) {
-    Sampler s;
-    s.seed = hashCombine(hashCombine(seed, 0u), pixel);
-    s.index = pass;
+SHARED_CONSTANT kSobolNumbers = 0u;
+SHARED_CONSTANT kIndependentNumbers = 1u;
+
+// What all sequences of a picture are derived from. A type of its own, so that no bare number is taken for it.
+struct RenderSeed {
+    uint sequence;
+};
+
+// `seed` is the user's.
+SHARED_FUNCTION RenderSeed renderSeed(uint seed, uint numbers) {
+    RenderSeed s;
+    s.sequence = (hash(seed) & ~1u) | numbers;
     return s;
+}
+
+// The seed of one of a sequence's many children, of the same kind of numbers.
+SHARED_FUNCTION uint deriveSequence(uint sequence, uint value) {
+    return (hashCombine(sequence, value) & ~1u) | (sequence & 1u);
+}
+
+// Camera paths: each pixel has kCameraSequences independent sequences, to which the passes are dealt by turns, so that
+// the means over the passes of each tell how far all of them may be from the truth.
+SHARED_CONSTANT kCameraSequences = 2u;
+
+// Of a path that carries `samplerSeed`, in a pass.
+SHARED_FUNCTION Sampler pathSampler(uint samplerSeed, uint pass) {
+    Sampler s;
+    s.seed = samplerSeed;
+    s.index = pass / kCameraSequences;
+    return s;
+}
+
+SHARED_FUNCTION Sampler cameraSampler(RenderSeed seed, uint pass, uint pixel) {
+    uint sequences = deriveSequence(deriveSequence(seed.sequence, 0u), pass % kCameraSequences);
+    return pathSampler(deriveSequence(sequences, pixel), pass);
 }
 
 // Photon paths: one sequence per pass and purpose, whose successive points are the photons emitted.
@@ -65,8 +95,8 @@ SHARED_CONSTANT kGlobalPhotons = 1u;
 SHARED_CONSTANT kCausticPhotons = 2u;
 SHARED_CONSTANT kShadowPhotons = 3u;
 
-SHARED_FUNCTION uint photonSequence(uint seed, uint purpose, uint pass) {
-    return hashCombine(hashCombine(seed, purpose), pass);
+SHARED_FUNCTION uint photonSequence(RenderSeed seed, uint purpose, uint pass) {
+    return deriveSequence(deriveSequence(seed.sequence, purpose), pass);
 }
 
 SHARED_FUNCTION Sampler photonSampler(uint sequence, uint photon) {
@@ -79,6 +109,9 @@ SHARED_FUNCTION Sampler photonSampler(uint sequence, uint photon) {
 // Two 32-bit fractions for a dimension of the sampler.
 SHARED_FUNCTION uvec2 sampleBits(Sampler s, uint dimension) {
     uint dimensionSeed = hashCombine(s.seed, dimension);
+    if ((s.seed & 1u) == kIndependentNumbers) {
+        return uvec2(hashCombine(dimensionSeed, s.index), hashCombine(hash(dimensionSeed ^ 0x2c1b3c6du), s.index));
+    }
     uint shuffled = reverseBits(scrambleReversed(reverseBits(s.index), dimensionSeed));
     uint x = reverseBits(scrambleReversed(shuffled, hash(dimensionSeed ^ 0x68bc21ebu)));
     uint y = reverseBits(scrambleReversed(pascal(shuffled), hash(dimensionSeed ^ 0x02e5be93u)));
@@ -102,9 +135,13 @@ SHARED_FUNCTION uint cameraBounce(uint vertex) { // direction off a rough surfac
     return 5u + 4u * vertex;
 }
 
-// Final gathering: the rays from a visible point have a sequence of their own, numbered over all passes.
+// Final gathering: the rays from a visible point have a sequence of their own …
 SHARED_FUNCTION uint gatherSequence(uint samplerSeed) {
-    return hashCombine(samplerSeed, 64u);
+    return deriveSequence(samplerSeed, 64u);
+}
+// … and are passes of their own: those of a pass's sequence have the indices (index of the pass) rays + ray.
+SHARED_FUNCTION uint gatherPass(uint pass, uint rays, uint ray) {
+    return (pass / kCameraSequences * rays + ray) * kCameraSequences + pass % kCameraSequences;
 }
 SHARED_CONSTANT kGatherDirection = 0u;
 

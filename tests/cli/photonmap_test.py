@@ -129,8 +129,8 @@ class Views(CliTest):
 
     def test_layers_need_a_file_that_can_hold_them(self):
         self.assert_refused(USAGE, ["--layers", ".exr"], ["render", "ball.yaml", "--layers", "-o", "a.png"])
-        self.assert_refused(USAGE, ["--layers", "sum"], ["render", "ball.yaml", "--layers", "--integrator", "whitted", "-o",
-                                                         "a.exr"])
+        self.assert_refused(USAGE, ["--layers", "sum", "two passes"],
+                            ["render", "ball.yaml", "--layers", "--integrator", "whitted", "--passes", "1", "-o", "a.exr"])
 
 
 class Warnings(CliTest):

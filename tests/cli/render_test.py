@@ -134,13 +134,18 @@ class Reports(RenderTest):
         options = [*SMALL, *TWO_PASSES, "--seed", "3", "-o", "a.png", "-o", "b.exr"]
         report = self.succeed_json("render", self.cornell, *options)
         elapsed = time.monotonic() - start
-        keys = "version scene integrator backend device seed resolution passes seconds counts warnings outputs"
+        keys = (
+            "version scene integrator backend device seed sampler resolution passes error_estimate seconds counts "
+            "warnings outputs"
+        )
         self.assertEqual(set(report), set(keys.split()))
         self.assertEqual("hyalite " + report["version"], self.succeed("--version").strip())
         self.assertEqual(report["scene"], self.cornell)
         self.assertEqual((report["integrator"], report["backend"]), ("ppm", "vulkan"))
         self.assertIn(report["device"].split(",")[0], self.succeed("doctor"))
         self.assertEqual((report["seed"], report["resolution"], report["passes"]), (3, [20, 12], 2))
+        self.assertEqual(report["sampler"], "sobol")
+        self.assertGreater(report["error_estimate"], 0)
         self.assertEqual(report["outputs"], ["a.png", "b.exr"])
 
         counts, seconds = report["counts"], report["seconds"]
@@ -160,6 +165,7 @@ class Reports(RenderTest):
         self.write("scene.yaml", SCENE)
         report = self.succeed_json("render", "scene.yaml")
         self.assertEqual((report["seed"], report["resolution"], report["passes"]), (1, [8, 8], 1))
+        self.assertIsNone(report["error_estimate"])  # one pass says nothing of its error
         self.assertEqual(report["outputs"], ["scene.png"])
 
     def test_profile_adds_to_json_every_stage_with_the_threads_that_the_counts_promise(self):
@@ -208,6 +214,11 @@ class Reports(RenderTest):
 class Backends(RenderTest):
     def test_device_and_reference_agree_far_closer_than_two_seeds_do(self):
         size = ["--resolution", "48x48", "--passes", "4", "--photons", "20000", "--quiet"]
+        for sampler in ("sobol", "independent"):
+            with self.subTest(sampler):
+                self.check_backends([*size, "--sampler", sampler])
+
+    def check_backends(self, size):
         for name, options in {
             "device": ["--seed", "1"],
             "reference": ["--seed", "1", "--backend", "reference"],
@@ -295,6 +306,6 @@ class Information(CliTest):
             self.assertIn(command, text)
             self.assertIn("Usage: hyalite", self.succeed(command, "--help"))
         text = self.succeed("render", "--help")
-        options = "output integrator backend device resolution passes samples photons max-depth time seed shaders set"
+        options = "output integrator backend device resolution passes samples photons max-depth time seed sampler target-error shaders set"
         for option in [*options.split(), "profile", "json", "quiet"]:
             self.assertIn(f"--{option} ", text)

@@ -150,10 +150,11 @@ Refraction through(double h) {
 
 std::vector<shared::Photon> causticPhotons(BothSides& both, std::uint32_t count) {
     render::PhotonPaths paths(both.device, both.scene, both.deviceScene, count);
-    const std::uint32_t slots = paths.trace({.sequence = shared::photonSequence(1, shared::kCausticPhotons, 0),
-                                             .count = count,
-                                             .kinds = 1U << shared::kPhotonCaustic,
-                                             .aimed = true});
+    const std::uint32_t slots = paths.trace(
+        {.sequence = shared::photonSequence(shared::renderSeed(1, shared::kSobolNumbers), shared::kCausticPhotons, 0),
+         .count = count,
+         .kinds = 1U << shared::kPhotonCaustic,
+         .aimed = true});
     both.device.commands.finish();
     return render::storedPhotons(paths.photons(), slots);
 }

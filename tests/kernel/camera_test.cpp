@@ -1,6 +1,7 @@
 // generate_camera_rays against its twin.
 #include "kernel/kernel_support.h"
 #include "reference/shading.h"
+#include "scene/render_seed.h"
 
 #include <catch2/generators/catch_generators.hpp>
 
@@ -21,7 +22,9 @@ TEST_CASE("camera rays leave through the same points of the pixel and of the len
     const auto paths = both.room<shared::CameraPath>(pixels);
     for (const std::uint32_t pass : {0U, 1U, 1000U}) {
         both.run("generate_camera_rays",
-                 shared::GenerateCameraRaysArguments{rays, paths, both.deviceScene.camera, pixels, 77, pass}, pixels);
+                 shared::GenerateCameraRaysArguments{rays, paths, renderSeed(scene.render), both.deviceScene.camera,
+                                                     pixels, pass},
+                 pixels);
         for (std::uint32_t pixel = 0; pixel < pixels; ++pixel) {
             const reference::Ray expected = reference::generateCameraRay(both.world, pixel, pass);
             const shared::Ray& ray = rays.host()[pixel];

@@ -30,7 +30,7 @@ void main() {
     if (i >= args.count) {
         return;
     }
-    Sampler s = photonSampler(7u, i);
+    Sampler s = photonSampler(8u, i);
     LightRecord light = args.lights.at[i % args.lightCount];
     LightRay ray = emitFrom(light, sampleUnit(s, 0u), sampleUnit(s, 1u));
     vec3 other = uniformSphere(sampleUnit(s, 2u));
@@ -68,7 +68,7 @@ TEST_CASE("rays from lights and to them have the reference's densities") {
     };
     std::size_t coins = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
-        const shared::Sampler sampler = shared::photonSampler(7, i);
+        const shared::Sampler sampler = shared::photonSampler(8, i);
         const auto numbers = [&](std::uint32_t dimension) { return reference::sampleUnitSquare(sampler, dimension); };
         const reference::Light& light = both.world.lights[i % lightCount];
         const reference::LightRay ray = emitFrom(light, numbers(0), numbers(1));

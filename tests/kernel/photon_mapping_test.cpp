@@ -49,7 +49,8 @@ Emitted emitCausticPhotons(BothSides& both, const reference::PhotonPass& pass) {
 }
 
 reference::PhotonPass causticPass(std::uint32_t count) {
-    return {.sequence = shared::photonSequence(1, shared::kCausticPhotons, 0),
+    return {.sequence =
+                shared::photonSequence(shared::renderSeed(1, shared::kSobolNumbers), shared::kCausticPhotons, 0),
             .count = count,
             .kinds = reference::kindBit(reference::PhotonKind::Caustic),
             .aimed = true};
@@ -168,7 +169,7 @@ TEST_CASE("a gathering ray leaves with the numbers and the weight of the referen
     BothSides both(reference::test::cornellBox());
     reference::test::Random random;
     const std::uint32_t count = 5000;
-    const std::uint32_t index = 37;
+    const std::uint32_t pass = shared::gatherPass(12, 3, 1);
     std::vector<shared::VisiblePoint> points(count);
     for (std::uint32_t i = 0; i < count; ++i) {
         points[i] = {random.inCube(1), i % 3, random.direction(), shared::hash(i), vec3(0.3, 0.2, 0.1), i, 5, 0, 0};
@@ -179,11 +180,11 @@ TEST_CASE("a gathering ray leaves with the numbers and the weight of the referen
     const auto rays = both.room<shared::Ray>(count);
     const auto paths = both.room<shared::CameraPath>(count);
     const auto alive = both.room<shared::uint>(count);
-    both.run("start_gather_rays", shared::StartGatherRaysArguments{devicePoints, rays, paths, alive, count, index},
+    both.run("start_gather_rays", shared::StartGatherRaysArguments{devicePoints, rays, paths, alive, count, pass},
              count);
     std::size_t started = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
-        const shared::Sampler sampler{shared::gatherSequence(points[i].samplerSeed), index};
+        const shared::Sampler sampler = shared::pathSampler(shared::gatherSequence(points[i].samplerSeed), pass);
         const dvec3 direction = reference::cosineHemisphere(
             reference::sampleUnitSquare(sampler, shared::kGatherDirection), dvec3(points[i].normal));
         if (std::abs(direction.z) < 1e-4) {

@@ -1,5 +1,6 @@
 // The kernels that keep lists: prefix sums, compaction, sums over a pixel's paths, the film.
 #include "kernel/kernel_support.h"
+#include "reference/film.h"
 #include "render/film.h"
 #include "render/prefix_sum.h"
 
@@ -100,13 +101,14 @@ TEST_CASE("the paths of a pixel are summed whole, and other pixels are left alon
 
 TEST_CASE("the film starts black, adds passes, and resolves to their means, whose sum is the picture") {
     BothSides both(reference::test::cornellBox());
-    const render::Film film(both.device, {5, 3}, {{"emitted"}, {"direct"}, {"radius", /*isLight*/ false}, {"photons"}});
+    render::Film film(both.device, {5, 3}, {{"emitted"}, {"direct"}, {"radius", /*isLight*/ false}, {"photons"}});
     const auto emitted = both.upload(std::vector<vec3>(15, vec3(1, 0, 0)));
     const auto direct = both.upload(std::vector<vec3>(15, vec3(0, 2, 0)));
     auto values = std::vector<vec3>(15, vec3(0, 0, 4));
     values[7] = vec3(8);
     const auto gathered = both.upload(values);
-    for (int pass = 0; pass < 4; ++pass) {
+    for (std::uint32_t pass = 0; pass < 4; ++pass) {
+        film.beginPass(pass);
         film.add(both.device, 0, emitted);
         film.add(both.device, 1, direct);
         film.add(both.device, 2, gathered);
@@ -123,6 +125,47 @@ TEST_CASE("the film starts black, adds passes, and resolves to their means, whos
     CHECK(image.at(2, 1) == vec3(9, 10, 8)); // pixel 7
     CHECK(image.at(0, 0) == vec3(1, 2, 4));
     CHECK(image.at(4, 2) == vec3(1, 2, 4));
+}
+
+TEST_CASE("the film's error is the reference's, for even and odd numbers of passes, on pictures of many chunks") {
+    BothSides both(reference::test::cornellBox());
+    constexpr std::uint32_t kWidth = 37; // 37 * 11 pixels: six chunks and a rest
+    constexpr std::uint32_t kHeight = 11;
+    const std::vector<LayerKind> layers{{"a"}, {"radius", /*isLight*/ false}, {"b"}};
+    render::Film film(both.device, {kWidth, kHeight}, layers);
+    reference::LayeredFilm expected(kWidth, kHeight, layers);
+    reference::test::Random random;
+    const auto picture = [&] {
+        std::vector<vec3> colors(kWidth * kHeight);
+        for (vec3& color : colors) {
+            color = {random.unit(), 10 * random.unit(), 0.01 * random.unit()};
+        }
+        return both.upload(colors);
+    };
+    for (std::uint32_t pass = 0; pass < 7; ++pass) {
+        const std::array colors{picture(), picture(), picture()};
+        film.beginPass(pass);
+        for (std::size_t layer = 0; layer < 3; ++layer) {
+            film.add(both.device, layer, colors.at(layer));
+        }
+        both.device.commands.finish();
+        expected.addPass([&](std::uint32_t pixel) {
+            return std::array<dvec3, 3>{colors[0].host()[pixel], colors[1].host()[pixel], colors[2].host()[pixel]};
+        });
+        const std::optional<double> error = film.estimateError(both.device, pass + 1);
+        REQUIRE(error.has_value() == (pass > 0));
+        if (error) {
+            // Each of the 37 * 11 * 3 squares is off by some roundings of 6e-8, and where the two means are close by
+            // these relative to their difference; the large ones decide
+            CHECK_THAT(*error, Catch::Matchers::WithinRel(expected.error().value(), 1e-5));
+            CHECK(film.estimateError(both.device, pass + 1) == error); // the same bits
+        }
+    }
+    const LayeredImage device = film.resolve(both.device, 7);
+    const LayeredImage reference = expected.mean();
+    for (std::size_t pixel = 0; pixel < device.picture.pixels.size(); ++pixel) {
+        REQUIRE(distance(device.error->pixels[pixel], dvec3(reference.error->pixels[pixel])) < 1e-5); // of up to 10
+    }
 }
 
 } // namespace hyalite::testing

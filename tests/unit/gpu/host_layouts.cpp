@@ -45,8 +45,9 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(PhotonFate, stored, absorbed, escaped, cutOff);
     HOST_LAYOUT(GridRecord, inverseCellSize, bucketMask);
     HOST_LAYOUT(PhotonMapRecord, order, cellStarts, grid.inverseCellSize, grid.bucketMask, base, count);
-    HOST_LAYOUT(GenerateCameraRaysArguments, rays, paths, camera.position, camera.forward, camera.right, camera.up,
-                camera.width, camera.height, camera.lensRadius, camera.focusDistance, count, seed, pass);
+    HOST_LAYOUT(RenderSeed, sequence);
+    HOST_LAYOUT(GenerateCameraRaysArguments, rays, paths, seed.sequence, camera.position, camera.forward, camera.right,
+                camera.up, camera.width, camera.height, camera.lensRadius, camera.focusDistance, count, pass);
     HOST_LAYOUT(TraceClosestArguments, rays, hits, count, rootNode);
     HOST_LAYOUT(ShadeSurfaceArguments, rays, hits, paths, materials, lights, normals, instances, visiblePoints, emitted,
                 nextRays, nextPaths, alive, count, depth, maxDepth, pass, split, minWeight, roughPoints);
@@ -85,12 +86,13 @@ std::map<std::string, HostLayout> hostLayouts() {
                 kinds, filterKind, count, maxDepth);
     HOST_LAYOUT(SumPathsArguments, paths, emitted, direct, radiance, count);
     HOST_LAYOUT(AccumulateFilmArguments, colors, film, count, scale);
-    HOST_LAYOUT(ResolveFilmArguments, film, image, count, scale);
+    HOST_LAYOUT(ResolveFilmArguments, first, second, image, count, scale);
+    HOST_LAYOUT(EstimateErrorArguments, first, second, errors, sums, count, firstPasses, secondPasses, layers, light);
     HOST_LAYOUT(TargetRecord, center, radius);
     HOST_LAYOUT(EmitCausticPhotonsArguments, lights, targets, rays, paths, count, lightCount, targetCount, sequence);
     HOST_LAYOUT(CastShadowPhotonsArguments, rays, hits, paths, materials, normals, instances, photons, nextRays,
                 nextPaths, alive, count, firstPhoton);
-    HOST_LAYOUT(StartGatherRaysArguments, visiblePoints, rays, paths, alive, count, index);
+    HOST_LAYOUT(StartGatherRaysArguments, visiblePoints, rays, paths, alive, count, pass);
     HOST_LAYOUT(BeginIrradianceArguments, photons, visiblePoints, count);
     HOST_LAYOUT(StoreIrradianceArguments, photons, irradiance, records, count);
     HOST_LAYOUT(LookUpIrradianceArguments, visiblePoints, gathered, map.order, map.cellStarts, map.grid.inverseCellSize,

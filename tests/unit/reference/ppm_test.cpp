@@ -144,7 +144,7 @@ TEST_CASE("rendering may be ended after any pass and gives the mean so far") {
     Scene scene = cornellBox();
     scene.render.passes = 5;
     std::vector<std::uint32_t> calls;
-    const LayeredImage stopped = render(scene, {.afterPass = [&](std::uint32_t done) {
+    const LayeredImage stopped = render(scene, {.afterPass = [&](std::uint32_t done, std::optional<double> /*error*/) {
                                             calls.push_back(done);
                                             return done < 2;
                                         }});

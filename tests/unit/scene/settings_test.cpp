@@ -17,6 +17,8 @@ TEST_CASE("every setting changes what it names and nothing else") {
     applySetting(scene, "render.passes", "7");
     applySetting(scene, "render.photons", "16777216");
     applySetting(scene, "render.seed", "0");
+    applySetting(scene, "render.sampler", "independent");
+    applySetting(scene, "render.target_error", "0.03");
     applySetting(scene, "render.radius", "0.25");
     applySetting(scene, "render.alpha", "0.5");
     applySetting(scene, "render.min_weight", "0");
@@ -31,6 +33,8 @@ TEST_CASE("every setting changes what it names and nothing else") {
     CHECK(scene.render.passes == 7);
     CHECK(scene.render.photons == 16777216);
     CHECK(scene.render.seed == 0);
+    CHECK(scene.render.sampler == RandomNumbers::Independent);
+    CHECK(scene.render.targetError == 0.03);
     CHECK(scene.render.radius == 0.25);
     CHECK(scene.render.alpha == 0.5);
     CHECK(scene.render.minWeight == 0);
@@ -76,6 +80,9 @@ TEST_CASE("a wrong setting names the option and leaves the scene as it was") {
         {"camera.up", "[0, 0, 1]", "--set: 'up' is parallel"}, // the default camera looks along -z
         {"camera.look_at", "[0, 0, 5]", "same point"},
         {"render.integrator", "wihtted", "--set: unknown integrator 'wihtted' (did you mean 'whitted'?)"},
+        {"render.sampler", "random", "--set: unknown sampler 'random'"},
+        {"render.target_error", "-0.1", "--set: 'target_error' must be in [0, 1e+09]"},
+        {"render.target_error", "small", "--set: 'target_error' must be a number"},
         {"render.max_depth", "0", "--set: 'max_depth' must be in [1, 255], found 0"},
     };
     for (const Case& bad : cases) {

@@ -1,0 +1,38 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// The error that the picture has on account of chance. The passes of the two camera sequences, n and m of them, have
+// independent means A and B. With variances V / n and V / m, (A - B)^2 estimates V (n + m) / (n m), so that the variance
+// of the mean over all passes, V / (n + m), is estimated by (A - B)^2 n m / (n + m)^2.
+#include "shared/kernel_arguments.h"
+#include "lib/thread.glsl"
+
+const float kDarkFloor = 0.01; // keeps black pixels from deciding alone, as in relMSE [(W/(m^2 sr))^2]
+
+layout(push_constant, scalar) uniform Push { EstimateErrorArguments args; };
+
+void main() {
+    uint thread = threadIndex();
+    uint threads = (args.count + kErrorChunk - 1u) / kErrorChunk;
+    if (thread >= threads) {
+        return;
+    }
+    float passes = args.firstPasses + args.secondPasses;
+    float weight = sqrt(args.firstPasses * args.secondPasses) / passes;
+    float sum = 0.0;
+    for (uint i = thread; i < args.count; i += threads) { // neighbouring threads read neighbouring pixels
+        vec3 first = vec3(0.0);
+        vec3 second = vec3(0.0);
+        for (uint layer = 0u; layer < args.layers; ++layer) {
+            if ((args.light >> layer & 1u) != 0u) {
+                first += args.first.at[layer * args.count + i];
+                second += args.second.at[layer * args.count + i];
+            }
+        }
+        vec3 mean = (first + second) / passes;
+        vec3 error = weight * abs(first / args.firstPasses - second / args.secondPasses);
+        args.errors.at[i] = error;
+        vec3 relative = error * error / (mean * mean + kDarkFloor);
+        sum += relative.x + relative.y + relative.z;
+    }
+    args.sums.at[thread] = sum;
+}

@@ -1,0 +1,100 @@
+"""The estimated error of a picture: that it is right, that it ends a render, and what is said of it."""
+
+import json
+import math
+
+from exr import Picture
+from program import USAGE, SCENE, CliTest, scene_file
+
+# Edges, mirrors and glass; soft shadows; caustics and noise of photons. Small, so that all take some seconds.
+SCENES = {
+    "reflections": ["--integrator", "whitted", "--resolution", "48x48"],
+    "cornell-box": ["--integrator", "whitted", "--max-depth", "5", "--resolution", "48x48"],
+    "cornell-caustics": ["--photons", "10000", "--resolution", "24x24", "--set", "render.radius=0.06"],
+}
+
+
+class TargetError(CliTest):
+    def render(self, scene, *options):
+        """The report; a warning may be on stderr."""
+        result = self.run_program("render", scene, *options, "--json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return json.loads(result.stdout), result.stderr
+
+    def test_a_render_stops_at_the_error_asked_for_and_the_true_error_is_what_it_says(self):
+        for name, options in SCENES.items():
+            with self.subTest(name):
+                scene = scene_file(f"{name}.yaml")
+                stopped = ["--passes", "1000", "--target-error", "0.05", "-o", "a.exr"]
+                report, said = self.render(scene, *options, *stopped)
+                self.assertEqual(said, "")
+                self.assertIs(report["target_error_met"], True)
+                self.assertLessEqual(report["error_estimate"], 0.05)
+                self.assertGreaterEqual(report["passes"], 16)
+                self.assertLess(report["passes"], 1000)
+                # Another seed and eight times the passes: its own error adds 6 % at most. The estimate itself has one
+                # degree of freedom a pixel and channel, 2 % or 4 % over the picture; the rest of the factor is for
+                # pixels whose variance few paths decide, and for ppm's bias.
+                more = ["--passes", str(8 * report["passes"]), "--seed", "99", "--quiet", "-o", "true.exr"]
+                self.succeed("render", scene, *options, *more)
+                true = math.sqrt(self.succeed_json("compare", "a.exr", "true.exr")["relmse"])
+                self.assertLess(true, 1.5 * report["error_estimate"])
+                self.assertGreater(true, report["error_estimate"] / 1.5)
+
+    def test_stopping_changes_nothing_but_the_number_of_passes(self):
+        scene, options = scene_file("reflections.yaml"), SCENES["reflections"]
+        report, _ = self.render(scene, *options, "--passes", "1000", "--target-error", "0.05", "-o", "a.exr")
+        self.succeed("render", scene, *options, "--passes", str(report["passes"]), "--quiet", "-o", "b.exr")
+        files = self.contents()
+        self.assertEqual(files["a.exr"], files["b.exr"])
+
+    def test_both_backends_estimate_the_same_error_and_stop_at_the_same_pass(self):
+        scene, options = scene_file("reflections.yaml"), SCENES["reflections"]
+        stop = ["--passes", "1000", "--target-error", "0.05", "-o", "a.exr"]
+        device, _ = self.render(scene, *options, *stop)
+        reference, _ = self.render(scene, *options, *stop, "--backend", "reference")
+        # Single precision sends at most one path in a hundred another way (see render_test.Backends).
+        self.assertAlmostEqual(device["error_estimate"], reference["error_estimate"], delta=0.01 * 0.05)
+        self.assertEqual(device["passes"], reference["passes"])
+
+    def test_an_error_that_is_not_reached_is_warned_of(self):
+        self.write("scene.yaml", SCENE)
+        for backend in ("vulkan", "reference"):
+            report, said = self.render("scene.yaml", "--passes", "3", "--target-error", "1e-9", "--backend", backend)
+            self.assertIs(report["target_error_met"], False)
+            self.assertEqual(report["passes"], 3)
+            self.assertIn("hyalite: warning: the target error of 1e-09 was not reached", said)
+            self.assertIn("after 3 passes", said)
+            self.assertEqual(len(report["warnings"]), 1)
+        result = self.run_program("render", "scene.yaml", "--passes", "3", "--target-error", "1e-9")
+        self.assertRegex(result.stdout, r"estimated error [\d.e-]+ \(target 1e-09 not met\)\n$")
+        said = self.succeed("render", "scene.yaml", "--passes", "3", "--target-error", "10")
+        self.assertRegex(said, r"estimated error [\d.e-]+ \(target 10 met\)\n$")
+
+    def test_one_pass_has_no_estimate_and_reaches_no_target(self):
+        self.write("scene.yaml", SCENE)
+        report, said = self.render("scene.yaml", "--passes", "1", "--target-error", "10")
+        self.assertIsNone(report["error_estimate"])
+        self.assertIs(report["target_error_met"], False)
+        self.assertIn("there is no estimate after 1 pass", said)
+
+    def test_a_time_limit_still_ends_a_render_that_has_a_target(self):
+        self.write("scene.yaml", SCENE)
+        report, said = self.render("scene.yaml", "--passes", "10000000", "--target-error", "1e-9", "--time", "0.5")
+        self.assertLess(report["passes"], 10000000)
+        self.assertIn("was not reached", said)
+
+    def test_values_that_are_no_errors_are_refused(self):
+        self.write("scene.yaml", SCENE)
+        for value in ("-0.1", "nan", "small", "1e300"):
+            self.assert_refused(USAGE, ["--target-error", "target_error"],
+                                ["render", "scene.yaml", f"--target-error={value}"])
+
+    def test_the_layer_error_is_what_the_estimate_is_made_of(self):
+        for name, options in SCENES.items():
+            report, _ = self.render(scene_file(f"{name}.yaml"), *options, "--passes", "5", "--layers", "-o", "a.exr")
+            mean = Picture(self.folder / "a.exr").values()
+            error = Picture(self.folder / "a.exr", layer="error").values()
+            squares = [e * e / (m * m + 0.01) for e, m in zip(error, mean)]
+            # Sums in single precision of 64 pixels at a time: some roundings of 6e-8
+            self.assertAlmostEqual(math.sqrt(sum(squares) / len(squares)) / report["error_estimate"], 1, delta=1e-5)
