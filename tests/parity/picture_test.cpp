@@ -49,8 +49,9 @@ TEST_CASE("whitted and ppm give the reference's picture of textures and absorbin
 
 TEST_CASE("whitted and ppm give the reference's picture of every shape and of CSG") {
     Scene scene = loadScene(std::filesystem::path(HYALITE_SOURCE_DIR) / "scenes/tests/all-shapes.yaml");
-    // Photons that graze one of many curved mirrors and panes of glass land elsewhere
-    comparePictures("ppm-shapes", scene, 0.97);
+    // Photons that graze one of many curved mirrors and panes of glass land elsewhere; with whichever seed, in some 3 %
+    // of the pixels
+    comparePictures("ppm-shapes", scene, 0.96);
     scene.render.integrator = Integrator::Whitted;
     scene.render.minWeight = 0.01;
     comparePictures("whitted-shapes", scene, 0.99);
