@@ -4,13 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <vector>
 
 namespace hyalite {
 
 namespace {
 
-// Enough for a median, few enough that a corner in which photons of several surfaces meet stays small.
+// Enough for a mean, few enough that a corner in which photons of several surfaces meet stays small.
 constexpr std::size_t kNeighbour = 10;
 
 double distance2ToNeighbour(std::span<const glm::dvec3> points, std::size_t i, std::size_t k) {
@@ -38,16 +40,15 @@ double roundToEighthOctave(double x) {
 
 } // namespace
 
-double medianSpacing(std::span<const glm::dvec3> points, std::size_t k) {
-    std::vector<double> distances2(points.size());
+double typicalSpacing(std::span<const glm::dvec3> points, std::size_t k) {
+    std::vector<double> logs(points.size());
     parallelFor(points.size(), 64, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            distances2[i] = distance2ToNeighbour(points, i, k);
+            const double distance2 = distance2ToNeighbour(points, i, k);
+            logs[i] = std::log(std::max(distance2, std::numeric_limits<double>::min())) / 2;
         }
     });
-    const auto middle = distances2.begin() + static_cast<std::ptrdiff_t>(distances2.size() / 2);
-    std::ranges::nth_element(distances2, middle);
-    return std::sqrt(*middle);
+    return std::exp(std::accumulate(logs.begin(), logs.end(), 0.0) / static_cast<double>(logs.size()));
 }
 
 double searchRadiusFor(double wanted, std::span<const glm::dvec3> pilot, std::uint32_t pilotEmitted,
@@ -57,7 +58,7 @@ double searchRadiusFor(double wanted, std::span<const glm::dvec3> pilot, std::ui
     }
     // Photons lie on surfaces: their number within a radius goes as its square
     const double more = static_cast<double>(emitted) / pilotEmitted;
-    const double radius = medianSpacing(pilot, kNeighbour) * std::sqrt(wanted / (kNeighbour * more));
+    const double radius = typicalSpacing(pilot, kNeighbour) * std::sqrt(wanted / (kNeighbour * more));
     return roundToEighthOctave(std::clamp(radius, sceneRadius / 2000, sceneRadius / 20));
 }
 

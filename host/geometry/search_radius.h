@@ -14,11 +14,12 @@ inline constexpr std::uint32_t kPilotPhotons = 8192;
 // So many photons are to be found by a typical search of the first pass: among those that came by way of diffuse
 // surfaces, and among those that make caustics, which have edges.
 inline constexpr double kPhotonsPerSearch = 30;
-inline constexpr double kCausticPhotonsPerSearch = 20;
+inline constexpr double kCausticPhotonsPerSearch = 12;
 
-// Median of the distances from each point to its k-th nearest other point [the unit of the points]; there must be more
-// than k points.
-[[nodiscard]] double medianSpacing(std::span<const glm::dvec3> points, std::size_t k);
+// Geometric mean of the distances from each point to its k-th nearest other point [the unit of the points]: where some
+// points are crowded and others scattered, as in a focus and around it, between the two. There must be more than k
+// points.
+[[nodiscard]] double typicalSpacing(std::span<const glm::dvec3> points, std::size_t k);
 
 // The radius [m] within which about `wanted` of the photons of a pass of `emitted` photons lie around a typical one of
 // them, judged by `pilot`: where those landed that `pilotEmitted` photons left. Rounded to an eighth of a power of two,

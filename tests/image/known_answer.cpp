@@ -66,13 +66,14 @@ double meanOf(const std::vector<double>& values) {
 std::vector<double> progressiveRatios(Scene scene, std::uint32_t renders, const ExpectedPixel& expected) {
     render::Device device(Gpu::shared().context(), Gpu::shared().compiler(), false);
     const render::DeviceScene deviceScene = render::uploadScene(device.context, device.tables, scene);
-    const render::Film film(device, scene.camera.resolution, render::Ppm::layers());
+    render::Film film(device, scene.camera.resolution, render::Ppm::layers());
     render::Ppm ppm(device, scene, deviceScene, film);
     std::vector<double> means;
     double before = 0;
     for (std::uint32_t seed = 1; seed <= renders; ++seed) {
         scene.render.seed = seed;
         for (std::uint32_t pass = 0; pass < scene.render.passes; ++pass) {
+            film.beginPass(pass);
             ppm.renderPass(pass);
         }
         const double sum = meanOf(pixelRatios(film.resolve(device, scene.render.passes).picture, expected));

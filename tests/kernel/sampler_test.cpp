@@ -6,6 +6,7 @@
 #include "reference/ggx.h"
 #include "reference/photons.h"
 #include "reference/projection_map.h"
+#include "scene/render_seed.h"
 #include "support/statistics.h"
 #include "unit/gpu/temporary_shaders.h"
 
@@ -338,7 +339,9 @@ TEST_CASE("camera rays start evenly over the lens, aimed photons go evenly into 
     const auto rays = both.room<shared::Ray>(std::max(pixels, kDraws));
     const auto cameraPaths = both.room<shared::CameraPath>(pixels);
     both.run("generate_camera_rays",
-             shared::GenerateCameraRaysArguments{rays, cameraPaths, both.deviceScene.camera, pixels, 1, 0}, pixels);
+             shared::GenerateCameraRaysArguments{rays, cameraPaths, renderSeed(both.scene.render),
+                                                 both.deviceScene.camera, pixels, 0},
+             pixels);
     CHECK(follows(alarms, lens, [&](std::uint32_t i) { return dvec3(rays.host()[i].origin); }, pixels));
     CHECK(follows(
         alarms, lens, [&](std::uint32_t i) { return reference::generateCameraRay(both.world, i, 0).origin; }, pixels));

@@ -26,18 +26,28 @@ std::vector<glm::dvec3> scattered(std::size_t count, double side, std::uint32_t 
 
 } // namespace
 
-TEST_CASE("neighbours on a square lattice are where the lattice says") {
+TEST_CASE("neighbours on a ring are where the ring says, and between two rings it is the geometric mean that counts") {
+    // The j-th neighbours on either side of a point of a regular n-gon lie 2 R sin(pi j / n) away
+    constexpr int kCorners = 360;
     std::vector<glm::dvec3> points;
-    for (int i = 0; i < 40; ++i) {
-        for (int j = 0; j < 40; ++j) {
-            points.emplace_back(3 * i, 3 * j, 0);
+    for (const double radius : {3.0, 0.03}) {
+        for (int i = 0; i < kCorners; ++i) {
+            const double angle = 2 * std::numbers::pi * i / kCorners;
+            points.emplace_back(100 * radius + radius * std::cos(angle), radius * std::sin(angle), 0);
+        }
+        if (radius == 3) {
+            const auto distance = [](int j) { return 6 * std::sin(std::numbers::pi * j / kCorners); };
+            CHECK_THAT(typicalSpacing(points, 1), WithinRel(distance(1), 1e-9));
+            CHECK_THAT(typicalSpacing(points, 2), WithinRel(distance(1), 1e-9));
+            CHECK_THAT(typicalSpacing(points, 3), WithinRel(distance(2), 1e-9));
+            CHECK_THAT(typicalSpacing(points, 10), WithinRel(distance(5), 1e-9));
         }
     }
-    // Inside: four neighbours at 3, four at 3 sqrt 2, four at 6
-    CHECK(medianSpacing(points, 1) == 3);
-    CHECK(medianSpacing(points, 4) == 3);
-    CHECK_THAT(medianSpacing(points, 5), WithinRel(3 * std::numbers::sqrt2, 1e-15));
-    CHECK(medianSpacing(points, 12) == 6);
+    CHECK_THAT(typicalSpacing(points, 1), WithinRel(0.6 * std::sin(std::numbers::pi / kCorners), 1e-9));
+}
+
+TEST_CASE("points that coincide have no distance") {
+    CHECK(typicalSpacing(std::vector<glm::dvec3>(50, glm::dvec3(1, 2, 3)), 5) < 1e-100);
 }
 
 TEST_CASE("a radius holds the photons that were wanted, whatever the pilot") {
