@@ -135,7 +135,7 @@ TEST_CASE("no lamp stands in its own light, however near the origin it is and ho
         INFO("light " << light);
         both.run("sample_lights",
                  shared::SampleLightsArguments{devicePoints, both.deviceScene.lights, rays, contributions, count, 3,
-                                               light, 0, 2},
+                                               light, 0, 2, 0},
                  count);
         const auto direct = both.upload(std::vector<vec3>(count, vec3(0)));
         both.run("trace_shadow",
@@ -145,8 +145,8 @@ TEST_CASE("no lamp stands in its own light, however near the origin it is and ho
         std::size_t blockedInReference = 0;
         for (std::uint32_t i = 0; i < count; ++i) {
             const shared::VisiblePoint& p = points[i];
-            const reference::VisiblePoint x{p.position, p.position, dvec3(p.normal), dvec3(p.normal),
-                                            dvec3(p.f), 1,          p.samplerSeed};
+            const reference::VisiblePoint x{p.position, p.position,    dvec3(p.normal), dvec3(p.normal), dvec3(p.f),
+                                            1,          p.samplerSeed, false,           nullptr};
             const auto sample = reference::sampleLight(both.world, x, 0, light);
             // What leaves it along its surface may pass through the facets beside it
             const bool clear =
