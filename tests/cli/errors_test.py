@@ -110,7 +110,6 @@ class Usage(Refusals):
             "seed 2^32": (render("--seed", str(2**32)), "--seed", str(2**32)),
             "max depth 256": (render("--max-depth", "256"), "--max-depth", "256"),
             "unknown integrator": (render("--integrator", "pmm"), "--integrator", "did you mean 'ppm'?"),
-            "an integrator without kernels": (render("--integrator", "path"), "'path'", "--backend reference"),
             "unknown backend": (render("--backend", "cuda"), "--backend", "cuda", "vulkan", "reference"),
             "set without =": (render("--set", "render.seed"), "--set", "render.seed", "key=value"),
             "set unknown key": (render("--set", "render.fotons=1"), "--set", "'fotons'", "'photons'"),
@@ -252,10 +251,10 @@ class Shaders(Refusals):
     def test_a_picture_with_nan_in_it_is_never_written(self):
         self.copy_shaders()
         resolve = self.folder / "shaders/kernels/resolve_film.comp"
-        good = "args.film.at[i] * args.scale;"
+        good = "(args.first.at[i] + args.second.at[i]) * args.scale;"
         self.assertIn(good, resolve.read_text())
         # Pixel 9 of 8 x 8 is (1, 1).
-        bad = "i == 9 ? vec3(uintBitsToFloat(0x7fc00000u)) : args.film.at[i] * args.scale;"
+        bad = "i == 9 ? vec3(uintBitsToFloat(0x7fc00000u)) : " + good
         resolve.write_text(resolve.read_text().replace(good, bad))
         words = ["1 pixels", "NaN", "(1, 1)"]
         arguments = ["render", "scene.yaml", "--shaders", "shaders", "-o", "x.png", "-o", "x.exr"]

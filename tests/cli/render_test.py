@@ -136,7 +136,7 @@ class Reports(RenderTest):
         elapsed = time.monotonic() - start
         keys = (
             "version scene integrator backend device seed sampler resolution passes error_estimate seconds counts "
-            "warnings outputs"
+            "search_radius caustic_search_radius warnings outputs"
         )
         self.assertEqual(set(report), set(keys.split()))
         self.assertEqual("hyalite " + report["version"], self.succeed("--version").strip())
@@ -169,14 +169,17 @@ class Reports(RenderTest):
         self.assertEqual(report["outputs"], ["scene.png"])
 
     def test_profile_adds_to_json_every_stage_with_the_threads_that_the_counts_promise(self):
-        report = self.succeed_json("render", self.cornell, *SMALL, *TWO_PASSES, "--profile", "-o", "x.png")
+        radii = ["--set", "render.radius=0.05", "--set", "render.caustic_radius=0.02"]  # else some photons find them
+        report = self.succeed_json("render", self.cornell, *SMALL, *TWO_PASSES, *radii, "--profile", "-o", "x.png")
+        self.assertEqual((report["search_radius"], report["caustic_search_radius"]), (0.05, 0.02))
         stages, counts = report["stages"], report["counts"]
         threads = {name: stage["threads"] for name, stage in stages.items()}
         self.assertEqual(threads["emit_photons"], counts["photons_emitted"])
+        self.assertEqual(threads["emit_caustic_photons"], counts["caustic_photons_emitted"])
         self.assertEqual(threads["trace_closest"], counts["camera_rays"] + counts["photon_rays"])
         self.assertEqual(threads["trace_shadow"], counts["shadow_rays"])
-        self.assertEqual(threads["sort_photons"], counts["photons_stored"])
-        self.assertEqual(threads["resolve_film"], 3 * 20 * 12)  # emitted and direct light, photons
+        self.assertEqual(threads["sort_photons"], counts["photons_stored"] + counts["caustic_photons_stored"])
+        self.assertEqual(threads["resolve_film"], 4 * 20 * 12)  # emitted, direct, caustic and indirect light
         self.assertTrue(all(stage["dispatches"] > 0 for stage in stages.values()), stages)
         self.assertLess(sum(stage["seconds"] for stage in stages.values()), report["seconds"]["total"])
 
@@ -189,6 +192,7 @@ class Reports(RenderTest):
         for scene, integrator, *settings in (
             (self.cornell, "whitted"),
             (materials, "ppm"),
+            (self.cornell, "path"),
             (self.cornell, "photonmap", "shadow_photons=4", "view=photons", "caustic_photons=2000"),
         ):
             options = ["--integrator", integrator, "--max-depth", "5", "--profile", "--quiet", "-o", "x.png"]

@@ -78,6 +78,7 @@ TEST_CASE("the mean of progressive photon mapping is that of path tracing") {
         scene.render.maxDepth = 12;
         scene.render.radius = 0.01;
         scene.render.photons = 20000;
+        scene.render.photonMap.causticPhotons = 20000;
         const auto blocks = [&](Integrator integrator, std::uint32_t passes, std::uint32_t seed) {
             scene.render.passes = passes;
             scene.render.seed = seed;

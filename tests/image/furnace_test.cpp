@@ -22,7 +22,7 @@ Scene furnace(double albedo) {
     scene.camera.fov = 30;
     scene.camera.resolution = {8, 8};
     scene.render.maxDepth = 64;
-    scene.render.photons = 10000;
+    scene.render.photons = 20000;
     scene.render.radius = 0.3;
     scene.render.photonMap.gatherRays = 0;
     scene.render.photonMap.nearest = 512;

@@ -43,7 +43,6 @@ inline Scene onePixel(const dvec3& position, const dvec3& target, Integrator int
     scene.render.integrator = integrator;
     scene.render.passes = 1;
     scene.render.photons = 1;
-    scene.render.photonMap.causticPhotons = 1;
     scene.render.radius = 0.1;
     return scene;
 }
