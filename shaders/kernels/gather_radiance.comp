@@ -40,17 +40,13 @@ void main() {
     vec3 flux = vec3(0.0);
     if (x.depth != 0u) {
         vec3 normal = normalize(unpackDirection(x.geometricNormal, 16u));
-        // One loop over all rows: neighbouring threads stay together although their rows differ in length
         CellWalk walk = walkCells(x.position, args.radius, args.grid);
         uint photon = 0u, end = 0u;
-        while (true) {
-            if (photon >= end) {
-                if (!nextRange(walk, args.grid, args.cellStarts, photon, end)) {
-                    break;
-                }
-                continue;
+        // Row by row: neighbouring threads keep step, for their discs and so their rows are much the same
+        while (nextRange(walk, args.grid, args.cellStarts, photon, end)) {
+            for (; photon < end; ++photon) {
+                flux += photonFlux(x, normal, walk, photon);
             }
-            flux += photonFlux(x, normal, walk, photon++);
         }
     }
     bool found = maxComponent(flux) > 0.0;

@@ -6,7 +6,7 @@
 SHARED_BEGIN
 
 struct GridRecord {
-    float inverseCellSize; // [1/m]; a cell's edge is the search radius
+    float inverseCellSize; // [1/m]; a cell's edge is the search diameter
     uint bucketMask;       // number of buckets, a power of two, less one
 };
 
