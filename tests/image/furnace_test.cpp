@@ -2,6 +2,7 @@
 // shows its albedo.
 #include "image/known_answer.h"
 #include "kernel/kernel_support.h"
+#include "unit/reference/furnace.h"
 
 #include <complex>
 #include <numbers>
@@ -26,17 +27,7 @@ Scene furnace(double albedo) {
     scene.render.radius = 0.3;
     scene.render.photonMap.gatherRays = 0;
     scene.render.photonMap.nearest = 512;
-    const std::size_t wall = reference::test::addMaterial(scene, Diffuse{dvec3(albedo)});
-    for (int axis = 0; axis < 3; ++axis) {
-        dvec3 n(0);
-        dvec3 a(0);
-        dvec3 b(0);
-        n[axis] = 1;
-        a[(axis + 1) % 3] = 2;
-        b[(axis + 2) % 3] = 2;
-        reference::test::addObject(scene, Quad{-n - 0.5 * (a + b), a, b}, wall, dvec3(1)); // a x b = n: inwards
-        reference::test::addObject(scene, Quad{n - 0.5 * (a + b), b, a}, wall, dvec3(1));
-    }
+    reference::test::addFurnace(scene, albedo);
     return scene;
 }
 

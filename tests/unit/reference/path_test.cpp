@@ -1,7 +1,7 @@
 // Path tracing against series known on paper.
 #include "reference/path.h"
 
-#include "unit/reference/support.h"
+#include "unit/reference/furnace.h"
 
 #include <cmath>
 #include <numbers>
@@ -44,17 +44,7 @@ Scene litSphere(double albedo, std::uint32_t maxDepth) {
 Scene furnace(double albedo, std::uint32_t maxDepth) {
     Scene scene = onePixel({0, 0, 0}, {0.3, 0.2, 1}, Integrator::Path);
     scene.render.maxDepth = maxDepth;
-    const std::size_t wall = addMaterial(scene, Diffuse{dvec3(albedo)});
-    for (int axis = 0; axis < 3; ++axis) {
-        dvec3 n(0);
-        dvec3 a(0);
-        dvec3 b(0);
-        n[axis] = 1;
-        a[(axis + 1) % 3] = 2;
-        b[(axis + 2) % 3] = 2;
-        addObject(scene, Quad{-n - 0.5 * (a + b), a, b}, wall, dvec3(1)); // a x b = n: inwards
-        addObject(scene, Quad{n - 0.5 * (a + b), b, a}, wall, dvec3(1));
-    }
+    addFurnace(scene, albedo);
     return scene;
 }
 
