@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,9 @@ public:
 
     [[nodiscard]] const DeviceInfo& info() const;
     [[nodiscard]] std::uint32_t validationMessages() const; // how many came so far
+
+    // From a device address to the end of the buffer it lies in, as the host sees it; empty where there is no buffer.
+    [[nodiscard]] std::span<std::byte> memoryAt(std::uint64_t address) const;
 
     struct Impl; // host/gpu only
     [[nodiscard]] Impl& impl() const { return *impl_; }

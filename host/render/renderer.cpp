@@ -52,6 +52,10 @@ RenderResult render(const gpu::Context& context, const gpu::ShaderCompiler& comp
     const Film film(device, scene.camera.resolution, layersOf(scene.render));
     const auto integrator = makeIntegrator(device, scene, deviceScene, film, options);
 
+    if (options.onUpload) {
+        options.onUpload(device, deviceScene);
+    }
+
     RenderResult result;
     result.setupSeconds = setup.seconds();
     const Stopwatch passes;
