@@ -29,6 +29,7 @@ int parseAndRun(int argc, char** argv) {
     ExitCode exit = ExitCode::Done;
     addRender(app, exit);
     addCompare(app, exit);
+    addParity(app, exit);
     addDoctor(app, exit);
     try {
         app.parse(argc, argv);

@@ -1,0 +1,83 @@
+#include "parity/parity.h"
+
+#include "image/flip.h"
+#include "image/metrics.h"
+#include "parity/capture.h"
+#include "reference/render.h"
+#include "render/device.h"
+#include "render/renderer.h"
+
+#include <algorithm>
+
+namespace hyalite::parity {
+
+namespace {
+
+constexpr std::uint32_t kTestSide = 64;
+constexpr std::uint32_t kTestPasses = 2;
+constexpr std::uint32_t kTestPhotons = 8192;
+
+PictureResult comparePictures(Image device, Image twin) {
+    const Crop whole = wholeOf(twin);
+    PictureResult result;
+    result.rmse = rmse(device, twin, whole);
+    result.relMse = relMse(device, twin, whole);
+    result.flip = mean(flipMap(device, twin), whole);
+    result.shareWithin = shareWithin(device, twin, kPictureTolerance, whole);
+    result.device = std::move(device);
+    result.twin = std::move(twin);
+    return result;
+}
+
+} // namespace
+
+bool PictureResult::passed() const {
+    return shareWithin >= kPictureShare;
+}
+
+bool Result::passed() const {
+    return std::ranges::all_of(stages, &StageResult::passed) && (!picture || picture->passed());
+}
+
+const StageResult* Result::firstFailure() const {
+    const StageResult* first = nullptr;
+    for (const StageResult& stage : stages) {
+        if (!stage.passed() && (first == nullptr || stage.failureOrder() < first->failureOrder())) {
+            first = &stage;
+        }
+    }
+    return first;
+}
+
+Result compareSides(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const Scene& scene,
+                    const Options& options) {
+    std::optional<Sides> sides;
+    std::optional<Capture> capture;
+    render::RenderOptions renderOptions;
+    renderOptions.onUpload = [&](render::Device& device, const render::DeviceScene& deviceScene) {
+        sides.emplace(scene, deviceScene);
+        capture.emplace(context, device.tables, *sides, options.stages);
+        device.commands.observe(&*capture);
+    };
+    render::RenderResult rendered = render::render(context, compiler, scene, renderOptions);
+    Result result;
+    result.stages = capture->finish();
+    if (options.stages.empty()) {
+        result.picture = comparePictures(std::move(rendered.image.picture), reference::render(scene).picture);
+    }
+    return result;
+}
+
+void shrinkToTestSize(Scene& scene) {
+    glm::uvec2& resolution = scene.camera.resolution;
+    const std::uint32_t side = std::max(resolution.x, resolution.y);
+    if (side > kTestSide) {
+        resolution = glm::max(glm::uvec2(1), (resolution * kTestSide + side / 2) / side);
+    }
+    RenderSettings& render = scene.render;
+    render.passes = std::min(render.passes, kTestPasses);
+    render.photons = std::min(render.photons, kTestPhotons);
+    render.photonMap.causticPhotons = std::min(render.photonMap.causticPhotons, kTestPhotons);
+}
+
+} // namespace hyalite::parity
