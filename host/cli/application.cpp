@@ -30,6 +30,7 @@ int parseAndRun(int argc, char** argv) {
     addRender(app, exit);
     addCompare(app, exit);
     addParity(app, exit);
+    addInspect(app);
     addDoctor(app, exit);
     try {
         app.parse(argc, argv);

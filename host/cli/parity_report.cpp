@@ -2,22 +2,15 @@
 
 #include <algorithm>
 #include <iomanip>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace hyalite::cli {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using parity::FieldResult;
-using parity::Measure;
 using parity::Offender;
 using parity::StageResult;
-
-std::string count(std::uint64_t n, const std::string& one, const std::string& many) {
-    return std::to_string(n) + ' ' + (n == 1 ? one : many);
-}
 
 std::string shortNumber(double x) {
     std::ostringstream text;
@@ -59,8 +52,10 @@ void addOffenders(std::ostream& text, const StageResult& stage) {
             if (!offender.cause.empty()) {
                 continue;
             }
-            text << "  " << stage.name << ", " << offender.field << ", " << offender.where << ": device "
-                 << offender.device << ", twin " << offender.twin << '\n';
+            text << "  " << stage.name << ", " << offender.field << ", " << offender.where << ":\n";
+            for (const Offender::Value& value : offender.answers) {
+                text << "      " << value.field << ": device " << value.device << ", twin " << value.twin << '\n';
+            }
             for (const auto& [name, value] : offender.inputs) {
                 text << "      " << name << ": " << value << '\n';
             }
@@ -68,32 +63,16 @@ void addOffenders(std::ostream& text, const StageResult& stage) {
     }
 }
 
-Json jsonOf(const Offender& offender) {
-    Json object{{"where", offender.where}, {"field", offender.field}, {"device", offender.device},
-                {"twin", offender.twin},   {"cause", offender.cause}, {"inputs", Json::object()}};
-    for (const auto& [name, value] : offender.inputs) {
-        object["inputs"][name] = value;
+void addPaths(std::ostream& text, const std::string& name, const parity::PathResult& paths) {
+    if (paths.compared == 0) {
+        return;
     }
-    return object;
-}
-
-Json jsonOf(const FieldResult& field) {
-    Json object{{"name", field.tolerance->field},
-                {"compared", field.compared},
-                {"matched", field.matched},
-                {"apart", field.apart},
-                {"failed", field.failed}};
-    if (field.tolerance->measure != Measure::Exact) {
-        object["tolerance"] = field.tolerance->relative;
-        object["largest_relative"] = field.largestRelative;
-        object["largest_ulp"] = field.largestUlp;
-        object["ulp_99_9"] = field.ulpPercentile(0.999);
-        object["histogram"] = {{"least_exponent", parity::kLeastExponent}, {"counts", field.histogram}};
+    text << name << ": " << paths.agree << " of " << paths.compared << " (" << std::setprecision(5)
+         << 100 * paths.shareThatAgrees() << " %) agree vertex by vertex within " << parity::kPathTolerance;
+    for (const auto& [cause, number] : paths.causes) {
+        text << "; " << number << ' ' << (cause.empty() ? "UNEXPLAINED" : cause);
     }
-    for (const Offender& offender : field.offenders) {
-        object["offenders"].push_back(jsonOf(offender));
-    }
-    return object;
+    text << '\n';
 }
 
 } // namespace
@@ -118,6 +97,10 @@ std::string parityTable(const parity::Result& result) {
     for (const StageResult& stage : result.stages) {
         addOffenders(text, stage);
     }
+    if (result.paths) {
+        addPaths(text, "camera paths", result.paths->camera);
+        addPaths(text, "photon paths", result.paths->photons);
+    }
     if (result.picture) {
         const parity::PictureResult& picture = *result.picture;
         text << "picture: RMSE " << shortNumber(picture.rmse) << ", relMSE " << shortNumber(picture.relMse) << ", FLIP "
@@ -127,66 +110,66 @@ std::string parityTable(const parity::Result& result) {
     return text.str();
 }
 
-std::string parityVerdict(const parity::Result& result) {
-    if (const StageResult* first = result.firstFailure()) {
-        if (!first->hasTwin()) {
-            return "parity FAILED: " + first->name + " has no twin to compare with";
+std::string pathTable(const parity::RecordedPath& path, const Scene& scene) {
+    std::ostringstream text;
+    const std::string name = path.key.isPhoton
+                                 ? "photon " + std::to_string(path.key.number)
+                                 : "pixel " + std::to_string(path.key.number % scene.camera.resolution.x) + ", " +
+                                       std::to_string(path.key.number / scene.camera.resolution.x) + ", pass " +
+                                       std::to_string(path.key.sequence);
+    const auto vertexText = [&](const char* side, const parity::Vertex& vertex) {
+        const auto materialName = [&](std::uint32_t material) {
+            return material < scene.materials.size() ? scene.materials[material].name : std::string("none");
+        };
+        text << "  " << side << '\n';
+        if (vertex.object == shared::kNone) {
+            text << "    hits        nothing\n";
+        } else {
+            text << "    hits        object " << vertex.object << ", primitive " << vertex.primitive << ", "
+                 << (vertex.front ? "front" : "back") << ", " << materialName(vertex.material) << '\n'
+                 << "    position    " << parity::describe(vertex.position) << '\n'
+                 << "    normal      " << parity::describe(vertex.normal) << '\n';
         }
-        if (first->failed == 0) {
-            return "parity FAILED: " + first->name + ": rounding decides too often, in " +
-                   std::to_string(first->apart) + " of " + std::to_string(first->elements);
+        text << (path.key.isPhoton ? "    flux        " : "    throughput  ") << parity::describe(vertex.weight)
+             << '\n';
+        if (!path.key.isPhoton) {
+            text << "    pdf         " << parity::describe(vertex.pdfW) << '\n';
         }
-        return "parity FAILED: the sides part first in " + first->name + " (dispatch " +
-               std::to_string(first->firstFailure) + "): " + std::to_string(first->failed) + " of " +
-               std::to_string(first->elements) + " differ";
-    }
-    if (!result.passed()) {
-        return "parity FAILED: all stages agree, but the pictures do not";
-    }
-    std::uint64_t elements = 0;
-    std::uint64_t apart = 0;
-    for (const StageResult& stage : result.stages) {
-        elements += stage.elements;
-        apart += stage.apart;
-    }
-    return "parity passed: " + count(result.stages.size(), "stage", "stages") + ", " +
-           count(elements, "element", "elements") + ", of which " + std::to_string(apart) +
-           " differ by what a few roundings of the input explain";
-}
-
-std::string parityJson(const parity::Result& result, const std::string& scene, const std::string& device) {
-    Json object{{"scene", scene},
-                {"device", device},
-                {"passed", result.passed()},
-                {"verdict", parityVerdict(result)},
-                {"first_failure", nullptr},
-                {"stages", Json::array()}};
-    if (const StageResult* first = result.firstFailure()) {
-        object["first_failure"] = first->name;
-    }
-    for (const StageResult& stage : result.stages) {
-        Json fields = Json::array();
-        for (const FieldResult& field : stage.fields) {
-            fields.push_back(jsonOf(field));
+        text << "    medium      " << materialName(vertex.medium) << '\n'
+             << "    chosen      " << parity::describeChoice(vertex) << '\n';
+    };
+    const auto matching = [](const parity::Vertex& vertex) {
+        return
+            [&vertex](const parity::Vertex& other) { return other.depth == vertex.depth && other.seed == vertex.seed; };
+    };
+    for (const parity::Vertex& twin : path.twin) {
+        text << "vertex " << twin.depth
+             << (twin.depth == path.differsAt ? "   <-- the sides part here, first in " + path.what + ": " +
+                                                    (path.cause.empty() ? "nothing explains it" : path.cause)
+                                              : "")
+             << '\n';
+        const auto device = std::ranges::find_if(path.device, matching(twin));
+        if (device != path.device.end()) {
+            vertexText("device", *device);
         }
-        object["stages"].push_back({{"name", stage.name},
-                                    {"passed", stage.passed()},
-                                    {"has_twin", stage.hasTwin()},
-                                    {"dispatches", stage.dispatches},
-                                    {"elements", stage.elements},
-                                    {"apart", stage.apart},
-                                    {"failed", stage.failed},
-                                    {"fields", std::move(fields)}});
+        vertexText("twin", twin);
+        text << "  random numbers\n";
+        for (const parity::RandomNumbers& random : parity::randomNumbersAt(path.key, twin)) {
+            text << "    " << std::left << std::setw(16) << random.purpose << parity::describe(random.numbers.x) << ' '
+                 << parity::describe(random.numbers.y) << '\n';
+        }
     }
-    if (result.picture) {
-        const parity::PictureResult& picture = *result.picture;
-        object["picture"] = {{"rmse", picture.rmse},
-                             {"relmse", picture.relMse},
-                             {"flip", picture.flip},
-                             {"within", {{"tolerance", parity::kPictureTolerance}, {"share", picture.shareWithin}}},
-                             {"passed", picture.passed()}};
+    for (const parity::DeviceVertex& device : path.device) {
+        if (std::ranges::none_of(path.twin, matching(device))) {
+            text << "vertex " << device.depth << "   <-- the device's alone\n";
+            vertexText("device", device);
+        }
     }
-    return object.dump(2);
+    text << name << ": "
+         << (path.differsAt == 0 ? "both sides agree vertex by vertex"
+                                 : "the sides part at vertex " + std::to_string(path.differsAt))
+         << '\n';
+    return text.str();
 }
 
 } // namespace hyalite::cli

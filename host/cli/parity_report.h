@@ -1,4 +1,4 @@
-// What `hyalite parity` prints: a table and a verdict, or one JSON object.
+// What `hyalite parity` and `hyalite inspect` print.
 #pragma once
 
 #include "parity/parity.h"
@@ -10,9 +10,7 @@ namespace hyalite::cli {
 // Stages by their first dispatch, then the picture; where something failed, its worst offenders.
 [[nodiscard]] std::string parityTable(const parity::Result& result);
 
-// One line: passed or not and, if not, where the two sides part first.
-[[nodiscard]] std::string parityVerdict(const parity::Result& result);
-
-[[nodiscard]] std::string parityJson(const parity::Result& result, const std::string& scene, const std::string& device);
+// Both sides of a path, vertex by vertex, the first difference marked.
+[[nodiscard]] std::string pathTable(const parity::RecordedPath& path, const Scene& scene);
 
 } // namespace hyalite::cli

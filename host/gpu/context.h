@@ -15,6 +15,7 @@ struct DeviceInfo {
     std::string name;
     std::string driver;               // e.g. "llvmpipe Mesa 25.0.7-2 (LLVM 15.0.6)"
     bool software = false;            // runs on the CPU
+    std::uint32_t subgroupSize = 0;   // lanes that run together; on a CPU, floats of a vector
     std::vector<std::string> missing; // features and limits it lacks; empty: usable
 };
 

@@ -8,7 +8,7 @@ namespace hyalite::parity {
 
 Capture::Capture(const gpu::Context& context, const gpu::TexelTables& tables, const Sides& sides,
                  std::set<std::string> wanted)
-    : context_(context), tables_(tables), sides_(sides), wanted_(std::move(wanted)) {}
+    : context_(context), tables_(tables), sides_(sides), wanted_(std::move(wanted)), recorder_(sides) {}
 
 void Capture::before(const gpu::Dispatch& dispatch) {
     seen_.emplace(context_, tables_, dispatch);
@@ -16,6 +16,7 @@ void Capture::before(const gpu::Dispatch& dispatch) {
 
 void Capture::after(const gpu::Dispatch& dispatch) {
     ++dispatches_;
+    recorder_.see(*seen_);
     const std::string& kernel = dispatch.kernel.name();
     if (!wanted_.empty() && !wanted_.contains(kernel)) {
         return;

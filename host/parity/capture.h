@@ -3,6 +3,7 @@
 
 #include "parity/comparison.h"
 #include "parity/observed.h"
+#include "parity/path_recorder.h"
 #include "parity/sides.h"
 
 #include <map>
@@ -19,6 +20,8 @@ public:
     Capture(const gpu::Context& context, const gpu::TexelTables& tables, const Sides& sides,
             std::set<std::string> wanted);
 
+    [[nodiscard]] const PathRecorder& recorder() const { return recorder_; }
+
     void before(const gpu::Dispatch& dispatch) override;
     void after(const gpu::Dispatch& dispatch) override;
 
@@ -32,6 +35,7 @@ private:
     std::set<std::string> wanted_;
     std::uint64_t dispatches_ = 0;
     std::optional<Observed> seen_; // the dispatch that runs
+    PathRecorder recorder_;
     std::map<std::string, Comparison> stages_;
 };
 

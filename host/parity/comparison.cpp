@@ -182,12 +182,17 @@ void Comparison::count(const Answer& device, const Answer& twin, const FieldResu
     }
 }
 
-void Comparison::keep(FieldResult& field, Offender offender) const {
+// `tell` fills in the rest of what is kept.
+void Comparison::keep(FieldResult& field, Offender offender, const std::function<void(Offender&)>& tell) {
     // What nothing explains comes before what something does
     const auto isWorse = [](const Offender& a, const Offender& b) {
         return std::pair(a.cause.empty(), a.error) > std::pair(b.cause.empty(), b.error);
     };
-    field.offenders.insert(std::ranges::upper_bound(field.offenders, offender, isWorse), offender);
+    const auto place = std::ranges::upper_bound(field.offenders, offender, isWorse);
+    if (place == field.offenders.end() && field.offenders.size() == kOffendersKept) {
+        return;
+    }
+    tell(*field.offenders.insert(place, std::move(offender)));
     if (field.offenders.size() > kOffendersKept) {
         field.offenders.pop_back();
     }
@@ -227,9 +232,22 @@ Outcome Comparison::conclude(const std::string& dispatch, std::size_t i, const A
     if (a != nullptr && b != nullptr && tolerance.measure != Measure::Exact && tolerance.relative > 0) {
         error = errorOf(tolerance, a->real, b->real, sceneScale_).relative / tolerance.relative;
     }
-    keep(different, {dispatch + ", thread " + std::to_string(i), std::string(tolerance.field), textOf(tolerance, a),
-                     textOf(tolerance, b), inputs(), error,
-                     explained ? std::string(tolerance.nearby.empty() ? "rounding" : tolerance.nearby) : ""});
+    Offender offender;
+    offender.where = dispatch + ", thread " + std::to_string(i);
+    offender.field = tolerance.field;
+    offender.error = error;
+    offender.cause = explained ? (tolerance.nearby.empty() ? "rounding" : tolerance.nearby) : "";
+    keep(different, std::move(offender), [&](Offender& kept) {
+        kept.inputs = inputs();
+        for (const FieldResult& field : result_.fields) {
+            const Answer::Value* onDevice = device.find(field.tolerance->field);
+            const Answer::Value* onTwin = expected.find(field.tolerance->field);
+            if (onDevice != nullptr || onTwin != nullptr) {
+                kept.answers.push_back(
+                    {field.tolerance->field, textOf(*field.tolerance, onDevice), textOf(*field.tolerance, onTwin)});
+            }
+        }
+    });
     return explained ? Outcome::Apart : Outcome::Failed;
 }
 

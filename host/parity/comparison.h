@@ -20,13 +20,17 @@ inline constexpr std::size_t kBins = 32;
 using OffenderInputs = std::vector<std::pair<std::string, std::string>>; // name and value
 
 struct Offender {
-    std::string where;  // pass, dispatch and thread
-    std::string field;  // that differed first
-    std::string device; // its value
-    std::string twin;
+    std::string where; // pass, dispatch and thread
+    std::string field; // that differed first
     OffenderInputs inputs;
-    double error = 0;  // over the tolerance; exact fields: infinite
-    std::string cause; // empty: no few roundings of the input explain it
+    struct Value {
+        std::string_view field;
+        std::string device;
+        std::string twin;
+    };
+    std::vector<Value> answers; // of both sides, all fields
+    double error = 0;           // over the tolerance; exact fields: infinite
+    std::string cause;          // empty: no few roundings of the input explain it
 };
 
 struct FieldResult {
@@ -88,7 +92,7 @@ private:
                      FieldResult& different, bool explained, const Inputs& inputs);
     void count(const Answer& device, const Answer& twin, const FieldResult* different, bool explained);
     [[nodiscard]] bool exactFieldsAgree(const Answer& device, const Answer& twin) const;
-    void keep(FieldResult& field, Offender offender) const;
+    static void keep(FieldResult& field, Offender offender, const std::function<void(Offender&)>& tell);
 
     StageResult result_;
     double sceneScale_;

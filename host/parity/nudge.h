@@ -33,6 +33,9 @@ public:
         return p + (reach_ * std::max(scale, largestComponent(p))) * random();
     }
     [[nodiscard]] glm::dvec3 direction(const glm::dvec3& d) { return glm::normalize(d + reach_ * random()); }
+    // What is added to random numbers in [0, 1): device and twin hold the thresholds they are compared with as float
+    // and as double.
+    [[nodiscard]] double shift() { return reach_ * random().x; }
     [[nodiscard]] double number(double x) { return x * (1 + reach_ * random().x); }
 
 private:

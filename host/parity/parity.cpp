@@ -22,7 +22,8 @@ PictureResult comparePictures(Image device, Image twin) {
     PictureResult result;
     result.rmse = rmse(device, twin, whole);
     result.relMse = relMse(device, twin, whole);
-    result.flip = mean(flipMap(device, twin), whole);
+    result.flipMap = flipMap(device, twin);
+    result.flip = mean(result.flipMap, whole);
     result.shareWithin = shareWithin(device, twin, kPictureTolerance, whole);
     result.device = std::move(device);
     result.twin = std::move(twin);
@@ -36,7 +37,8 @@ bool PictureResult::passed() const {
 }
 
 bool Result::passed() const {
-    return std::ranges::all_of(stages, &StageResult::passed) && (!picture || picture->passed());
+    return std::ranges::all_of(stages, &StageResult::passed) &&
+           (!paths || (paths->camera.passed() && paths->photons.passed())) && (!picture || picture->passed());
 }
 
 const StageResult* Result::firstFailure() const {
@@ -63,9 +65,45 @@ Result compareSides(const gpu::Context& context, const gpu::ShaderCompiler& comp
     Result result;
     result.stages = capture->finish();
     if (options.stages.empty()) {
+        result.paths = comparePaths(*sides, capture->recorder());
+        for (std::uint32_t pixel = 0; pixel < scene.camera.resolution.x * scene.camera.resolution.y; ++pixel) {
+            result.shown.push_back(pathOf(*sides, capture->recorder(), {false, 0, pixel}));
+        }
         result.picture = comparePictures(std::move(rendered.image.picture), reference::render(scene).picture);
     }
     return result;
+}
+
+RecordedPath inspectPath(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const Scene& scene,
+                         std::uint32_t pass, std::optional<std::uint32_t> pixel, std::optional<std::uint32_t> photon) {
+    Scene one = scene;
+    one.render.passes = 1;
+    std::optional<Sides> sides;
+    std::optional<Capture> capture;
+    render::RenderOptions renderOptions;
+    renderOptions.firstPass = pass;
+    renderOptions.onUpload = [&](render::Device& device, const render::DeviceScene& deviceScene) {
+        sides.emplace(one, deviceScene);
+        capture.emplace(context, device.tables, *sides, std::set<std::string>{"nothing"});
+        device.commands.observe(&*capture);
+    };
+    static_cast<void>(render::render(context, compiler, one, renderOptions));
+    if (pixel) {
+        return pathOf(*sides, capture->recorder(), {false, pass, *pixel});
+    }
+    const auto& passes = capture->recorder().photonPasses();
+    if (passes.empty()) {
+        throw Error(ExitCode::WrongUsage, "this integrator sends no photons", "ask for a pixel with --pixel X,Y");
+    }
+    // The photons of the first purpose: of the global map
+    const std::uint32_t sequence = shared::photonSequence(one.render.seed, shared::kGlobalPhotons,
+                                                          one.render.integrator == Integrator::PhotonMap ? 0 : pass);
+    const auto found = passes.contains(sequence) ? passes.find(sequence) : passes.begin();
+    if (*photon >= found->second.pass.count) {
+        throw Error(ExitCode::WrongUsage, "there is no photon " + std::to_string(*photon) + " among " +
+                                              std::to_string(found->second.pass.count));
+    }
+    return pathOf(*sides, capture->recorder(), {true, found->first, *photon});
 }
 
 void shrinkToTestSize(Scene& scene) {

@@ -151,13 +151,19 @@ std::optional<reference::Hit> Sides::refined(const reference::Ray& ray, std::uin
     const bool isSame = exact && exact->object == given->object && exact->leaf == given->leaf &&
                         exact->primitive == given->primitive &&
                         std::abs(exact->t - given->t) < kOnSurface * std::max(scale_, given->t);
-    return isSame ? exact : given;
+    reference::Hit refined = *given;
+    refined.t = isSame ? exact->t : given->t;
+    return refined;
 }
 
 std::optional<reference::Hit> Sides::trace(const reference::Ray& ray, std::uint32_t from) const {
     std::optional<reference::Hit> hit = reference::traceClosest(world_, ray);
     const std::uint32_t left = (from & ~shared::kRayInside) - 1U; // kNone where it leaves nothing
     if (!hit || left >= deviceScene_.objectOf.size() || hit->object != deviceScene_.objectOf[left]) {
+        return hit;
+    }
+    // Rays that leave a mesh start beyond the error of its triangles: what they meet they meet
+    if (std::holds_alternative<MeshInstance>(scene_.objects[hit->object].shape)) {
         return hit;
     }
     const double reach = kOnSurface * std::max(scale_, largestComponent(ray.origin));

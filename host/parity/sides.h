@@ -39,7 +39,8 @@ public:
     // rounding on that object's surface, is none.
     [[nodiscard]] std::optional<reference::Hit> trace(const reference::Ray& ray, std::uint32_t from) const;
 
-    // The device's hit with its place on the surface in double precision, where the twin meets the same surface there.
+    // The device's hit, its distance along the ray in double precision where the twin meets the same surface there:
+    // with less, points of curved surfaces would not be on them.
     [[nodiscard]] std::optional<reference::Hit> refined(const reference::Ray& ray, std::uint32_t from,
                                                         const shared::Hit& hit) const;
 

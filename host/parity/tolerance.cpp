@@ -19,21 +19,22 @@ constexpr Allowed kPosition{
              "are computed from (lib/surface.glsl); the ray's way there, and the step off the surface, add "
              "as much each"};
 constexpr Allowed kDirection{0x1p-20, "a dozen roundings of components below 1"};
-constexpr Allowed kBounce{0x1p-14,
-                          "the normal is right to the position's error over the shape's radius, 1/16 m and more; a "
-                          "bounce doubles its angle"};
+constexpr Allowed kNormal{0x1p-14, "the position's error over the shape's radius: 2^-20 of the scene over 1/64 of it"};
+constexpr Allowed kBounce{0x1p-13, "a bounce doubles the angle that the normal is wrong by"};
+constexpr Allowed kSampled{
+    0x1p-13,
+    "the third component of a sampled direction is the root of a difference from 1, of which grazing directions "
+    "keep half the digits"};
+constexpr Allowed kAimed{0x1p-12, "the share of narrow cones: 1 - cosine is a small difference"};
 constexpr Allowed kWeight{0x1p-15,
                           "products of some dozens of terms, each right to 2^-24, and cosines that are right to the "
                           "direction's error"};
 constexpr Allowed kDensity{0x1p-10,
                            "densities of microfacets: squares and fourth powers of cosines that are right to the "
                            "direction's error"};
-constexpr Allowed kCoordinates{
-    0x1p-12, "quotients of differences of coordinates that are right to 2^-21 of the shape's size, on "
-             "triangles that cover few ulp of them"};
-constexpr Allowed kSide{0x1.8p-15,
-                        "octahedral, 16 bits a coordinate: half a step of 2^-15 in x and y, thrice that in all"};
-constexpr Allowed kPhotonDirection{0x1p-13, "octahedral, 15 bits a coordinate"};
+constexpr Allowed kSide{0x1.2p-14, "octahedral, 16 bits a coordinate: half a step of 2/65535 in x and y is up to one "
+                                   "in z, on a vector of length 1/sqrt(3) at least"};
+constexpr Allowed kPhotonDirection{0x1.2p-13, "octahedral, 15 bits a coordinate"};
 constexpr Allowed kPhotonNormal{
     0x1.12p-9, "octahedral, 11 bits a coordinate: half a step of 2/2047 in x and y is up to one in z, on a "
                "vector of length 1/sqrt(3) at least"};
@@ -77,7 +78,7 @@ constexpr auto kTable = std::to_array<Tolerance>({
     exact("trace_closest", "leaf", kEdge),
     exact("trace_closest", "primitive", kEdge),
     real("trace_closest", "t", Measure::Number, kPosition, Scale::Scene),
-    real("trace_closest", "uv", Measure::Vector, kCoordinates, Scale::One),
+    place("trace_closest", "place"),
     exact("shade_surface", "visible", kCoin),
     exact("shade_surface", "rough", kCoin),
     exact("shade_surface", "next 1", kCoin),
@@ -97,11 +98,11 @@ constexpr auto kTable = std::to_array<Tolerance>({
     exact("shade_surface", "rough seed"),
     real("shade_surface", "emitted", Measure::Vector, kWeight),
     place("shade_surface", "visible position"),
-    angle("shade_surface", "visible normal"),
+    angle("shade_surface", "visible normal", kNormal),
     angle("shade_surface", "visible side", kSide),
     real("shade_surface", "visible f", Measure::Vector, kWeight),
     place("shade_surface", "rough position"),
-    angle("shade_surface", "rough normal"),
+    angle("shade_surface", "rough normal", kNormal),
     angle("shade_surface", "rough wo"),
     real("shade_surface", "rough beta", Measure::Vector, kWeight),
     real("shade_surface", "rough eta", Measure::Number, kRounding, Scale::One),
@@ -129,7 +130,7 @@ constexpr auto kTable = std::to_array<Tolerance>({
     exact("emit_photons", "medium"),
     exact("emit_photons", "shines", kGrazing),
     place("emit_photons", "origin"),
-    angle("emit_photons", "direction", kBounce),
+    angle("emit_photons", "direction", kSampled),
     real("emit_photons", "power", Measure::Vector, kWeight),
     exact("emit_caustic_photons", "light", kCoin),
     exact("emit_caustic_photons", "photon"),
@@ -137,8 +138,8 @@ constexpr auto kTable = std::to_array<Tolerance>({
     exact("emit_caustic_photons", "medium"),
     exact("emit_caustic_photons", "shines", kGrazing),
     place("emit_caustic_photons", "origin"),
-    angle("emit_caustic_photons", "direction", kBounce),
-    real("emit_caustic_photons", "power", Measure::Vector, kWeight),
+    angle("emit_caustic_photons", "direction", kSampled),
+    real("emit_caustic_photons", "power", Measure::Vector, kAimed),
     exact("scatter_photon", "stored", kCoin),
     exact("scatter_photon", "kind"),
     exact("scatter_photon", "length"),
@@ -213,7 +214,7 @@ constexpr auto kTable = std::to_array<Tolerance>({
     exact("start_gather_rays", "alive", kGrazing),
     exact("start_gather_rays", "seed"),
     place("start_gather_rays", "origin"),
-    angle("start_gather_rays", "direction"),
+    angle("start_gather_rays", "direction", kSampled),
     real("start_gather_rays", "beta", Measure::Vector, kWeight),
     exact("splat_photons", "count", "edge of a pixel or silhouette"),
     real("sum_paths", "color", Measure::Vector, kSum),

@@ -142,7 +142,7 @@ struct ShadeStage {
         const reference::CameraPath path = sides.toTwin(paths[i]);
         reference::Shading shading;
         Slots slots;
-        reference::Surface surface;
+        reference::Surface surface{};
         if (hit) {
             hit->t = nudge.number(hit->t);
             hit->u = nudge.number(hit->u);

@@ -17,6 +17,9 @@ std::optional<std::uint32_t> lightOf(std::uint32_t number) {
 // Shadow rays to lights beyond the scene have no end worth comparing.
 constexpr double kFar = 1e20;
 
+// Light below this share of what a lobe of 1/sr would send is none.
+constexpr double kNothing = 0x1p-16;
+
 Answer answerOf(const std::optional<reference::LightSample>& sample) {
     Answer answer;
     answer.exact("sampled", sample ? 1 : 0);
@@ -60,7 +63,8 @@ void compareSampleLights(const Stage& stage) {
                 x.position = nudge.point(x.position, stage.sides.scale());
                 x.shadowOrigin = x.position;
                 x.normal = nudge.direction(x.normal);
-                auto sample = reference::sampleLight(stage.sides.world(), x, args.pass, lightOf(args.light));
+                auto sample =
+                    reference::sampleLight(stage.sides.world(), x, args.pass, lightOf(args.light), nudge.shift());
                 if (sample && largestComponent(sample->contribution) < double{std::numeric_limits<float>::min()}) {
                     sample.reset(); // black material, or less than a float holds
                 }
@@ -87,9 +91,20 @@ void compareSampleRoughLights(const Stage& stage) {
         if (point.depth == 0) {
             continue;
         }
-        Answer device;
-        device.exact("added", after[point.result] != before[point.result] ? 1 : 0);
-        device.vector("direct", dvec3(after[point.result]));
+        // Where a lobe sends next to nothing, what is left is a difference of numbers close to 1
+        const auto arrival = reference::sampleArrival(
+            sides.world(), dvec3(point.position),
+            {.depth = point.depth, .samplerSeed = point.samplerSeed, .pass = args.pass, .light = lightOf(args.light)});
+        const double nothing = kNothing * largestComponent(dvec3(point.beta) * arrival.irradiance);
+        const auto lightAdded = [&](const dvec3& added) {
+            Answer answer;
+            answer.exact("added", largestComponent(added) > nothing ? 1 : 0);
+            if (largestComponent(added) > nothing) {
+                answer.vector("direct", dvec3(before[point.result]) + added);
+            }
+            return answer;
+        };
+        const Answer device = lightAdded(dvec3(after[point.result]) - dvec3(before[point.result]));
         stage.compare(
             i, device,
             [&](Nudge nudge) {
@@ -97,7 +112,8 @@ void compareSampleRoughLights(const Stage& stage) {
                 x.surface.position = nudge.point(x.surface.position, sides.scale());
                 x.surface.normal = nudge.direction(x.surface.normal);
                 x.wo = nudge.direction(x.wo);
-                const auto sample = reference::sampleRoughLight(sides.world(), x, args.pass, lightOf(args.light));
+                const auto sample =
+                    reference::sampleRoughLight(sides.world(), x, args.pass, lightOf(args.light), nudge.shift());
                 bool isSeen = sample.has_value();
                 if (isSeen) {
                     const dvec3 way = sample->to - sample->from;
@@ -107,10 +123,8 @@ void compareSampleRoughLights(const Stage& stage) {
                                           through ? point.from ^ shared::kRayInside : point.from);
                 }
                 const dvec3 light = isSeen ? sample->contribution : dvec3(0);
-                Answer answer;
-                answer.exact("added", before[point.result] + glm::vec3(light) != before[point.result] ? 1 : 0);
-                answer.vector("direct", dvec3(before[point.result]) + light);
-                return answer;
+                return lightAdded(glm::vec3(before[point.result]) + glm::vec3(light) == before[point.result] ? dvec3(0)
+                                                                                                             : light);
             },
             [&] {
                 return OffenderInputs{{"position", describe(dvec3(point.position))},

@@ -10,22 +10,16 @@ namespace {
 
 using glm::dvec3;
 
-Answer answerOf(const Sides& sides, const std::optional<reference::Hit>& hit) {
+Answer answerOf(const Sides& sides, const reference::Ray& ray, const std::optional<reference::Hit>& hit) {
     Answer answer;
     answer.exact("object", hit ? hit->object : shared::kNone);
     if (!hit) {
         return answer;
     }
-    const Object& object =
-        hit->leaf != reference::kNoLeaf ? sides.scene().csgLeaves[hit->leaf] : sides.scene().objects[hit->object];
     answer.exact("leaf", hit->leaf);
     answer.exact("primitive", hit->primitive);
     answer.number("t", hit->t);
-    // Where coordinates of the hit are used
-    const bool isMesh = std::holds_alternative<MeshInstance>(object.shape);
-    if (isMesh || std::holds_alternative<Quad>(object.shape) || std::holds_alternative<Disk>(object.shape)) {
-        answer.vector("uv", dvec3(hit->u, hit->v, 0));
-    }
+    answer.vector("place", reference::evaluateSurface(sides.world(), ray, *hit).position); // by the hit's coordinates
     return answer;
 }
 
@@ -39,12 +33,12 @@ void compareTraceClosest(const Stage& stage) {
     for (std::size_t i = 0; i < args.count; ++i) {
         const shared::Ray& ray = rays[i];
         stage.compare(
-            i, answerOf(sides, sides.toTwin(hits[i])),
+            i, answerOf(sides, sides.toTwin(ray), sides.toTwin(hits[i])),
             [&](Nudge nudge) {
                 reference::Ray twin = sides.toTwin(ray);
                 twin.origin = nudge.point(twin.origin, sides.scale());
                 twin.direction = nudge.direction(twin.direction);
-                return answerOf(sides, sides.trace(twin, ray.from));
+                return answerOf(sides, twin, sides.trace(twin, ray.from));
             },
             [&] {
                 return OffenderInputs{{"origin", describe(dvec3(ray.origin))},

@@ -230,16 +230,17 @@ std::uint32_t chooseLight(const std::vector<Light>& lights, double x) {
 LightArrival sampleArrival(const World& world, const glm::dvec3& receiver, const LightChoice& choice) {
     const std::uint32_t vertex = choice.depth - 1;
     shared::Sampler sampler{.seed = choice.samplerSeed, .index = choice.pass};
+    const auto shifted = [&](const glm::dvec2& u) { return glm::clamp(u + choice.shift, 0.0, 1 - 0x1p-24); };
     std::uint32_t light = 0;
     double pmf = 1;
     if (choice.light) {
         light = *choice.light;
         sampler.seed = shared::hashCombine(sampler.seed, light);
     } else {
-        light = chooseLight(world.lights, sampleUnitSquare(sampler, shared::cameraLightChoice(vertex)).x);
+        light = chooseLight(world.lights, shifted(sampleUnitSquare(sampler, shared::cameraLightChoice(vertex))).x);
         pmf = world.lights[light].pmf;
     }
-    const glm::dvec2 uv = sampleUnitSquare(sampler, shared::cameraLightPoint(vertex));
+    const glm::dvec2 uv = shifted(sampleUnitSquare(sampler, shared::cameraLightPoint(vertex)));
     const Light& chosen = world.lights[light];
     const Offer offer = std::visit([&](const auto& shape) { return offerTo(receiver, shape, uv); }, chosen.shape);
     return {.direction = glm::normalize(offer.way),
@@ -249,9 +250,10 @@ LightArrival sampleArrival(const World& world, const glm::dvec3& receiver, const
 }
 
 std::optional<LightSample> sampleLight(const World& world, const VisiblePoint& x, std::uint32_t pass,
-                                       std::optional<std::uint32_t> light) {
-    const LightArrival arrival = sampleArrival(
-        world, x.position, {.depth = x.depth, .samplerSeed = x.samplerSeed, .pass = pass, .light = light});
+                                       std::optional<std::uint32_t> light, double shift) {
+    const LightArrival arrival =
+        sampleArrival(world, x.position,
+                      {.depth = x.depth, .samplerSeed = x.samplerSeed, .pass = pass, .light = light, .shift = shift});
     const double cosX = glm::dot(x.normal, arrival.direction);
     if (!(cosX > 0 && channelMean(arrival.irradiance) > 0)) {
         return std::nullopt;

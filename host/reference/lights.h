@@ -73,6 +73,7 @@ struct LightChoice {
     std::uint32_t samplerSeed = 0;
     std::uint32_t pass = 0;
     std::optional<std::uint32_t> light = std::nullopt;
+    double shift = 0; // added to the numbers: what would a rounding of them change?
 };
 
 // What the chosen light sends to a receiver from the place that is chosen on it.
@@ -91,9 +92,10 @@ struct LightSample {
     glm::dvec3 contribution; // [W/(m^2 sr)]
 };
 
-// Samples one light, the one named or one picked, at a visible point in a pass. None: the light cannot reach that side.
+// Samples one light, the one named or one picked, at a visible point in a pass; `shift`: see LightChoice. None: the
+// light cannot reach that side.
 [[nodiscard]] std::optional<LightSample> sampleLight(const World& world, const VisiblePoint& x, std::uint32_t pass,
-                                                     std::optional<std::uint32_t> light);
+                                                     std::optional<std::uint32_t> light, double shift = 0);
 
 // Radiance [W/(m^2 sr)] from the unit direction, of rays that hit nothing.
 [[nodiscard]] glm::dvec3 environmentRadiance(const World& world, const glm::dvec3& direction);

@@ -61,7 +61,7 @@ RenderResult render(const gpu::Context& context, const gpu::ShaderCompiler& comp
     const Stopwatch passes;
     Progress progress{0, scene.render.passes, 0};
     while (progress.passes < progress.ofPasses && timeForAnotherPass(progress, options.timeLimit)) {
-        integrator->renderPass(progress.passes);
+        integrator->renderPass(options.firstPass + progress.passes);
         ++progress.passes;
         progress.seconds = passes.seconds();
         if (options.onPass) {
