@@ -73,6 +73,10 @@ void addPaths(std::ostream& text, const std::string& name, const parity::PathRes
         text << "; " << number << ' ' << (cause.empty() ? "UNEXPLAINED" : cause);
     }
     text << '\n';
+    if (paths.storedOnDevice + paths.storedByTwin > 0) {
+        text << "photons stored: " << paths.storedOnDevice << " by the device, " << paths.storedByTwin
+             << " by the twin\n";
+    }
 }
 
 } // namespace

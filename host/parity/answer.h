@@ -16,11 +16,14 @@ public:
         std::string_view field;
         std::uint64_t exact = 0;
         glm::dvec3 real{0}; // of a number the first
+        double scale = 0;   // that the error is relative to, at least; beside the tolerance's own
     };
 
-    void exact(std::string_view field, std::uint64_t value) { values_.push_back({field, value, glm::dvec3(0)}); }
-    void number(std::string_view field, double value) { values_.push_back({field, 0, glm::dvec3(value, 0, 0)}); }
-    void vector(std::string_view field, const glm::dvec3& value) { values_.push_back({field, 0, value}); }
+    void exact(std::string_view field, std::uint64_t value) { values_.push_back({field, value, glm::dvec3(0), 0}); }
+    void number(std::string_view field, double value) { values_.push_back({field, 0, glm::dvec3(value, 0, 0), 0}); }
+    void vector(std::string_view field, const glm::dvec3& value, double scale = 0) {
+        values_.push_back({field, 0, value, scale});
+    }
 
     [[nodiscard]] const std::vector<Value>& values() const { return values_; }
     [[nodiscard]] const Value* find(std::string_view field) const;
@@ -34,7 +37,7 @@ struct FieldError {
     double ulp = 0;      // in units in the last place of the scale as a float, the largest over the components
     double relative = 0; // over the scale
 };
-[[nodiscard]] FieldError errorOf(const Tolerance& tolerance, const glm::dvec3& device, const glm::dvec3& twin,
+[[nodiscard]] FieldError errorOf(const Tolerance& tolerance, const Answer::Value& device, const Answer::Value& twin,
                                  double sceneScale);
 
 } // namespace hyalite::parity

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-double scaleOf(const Tolerance& tolerance, const glm::dvec3& twin, double sceneScale) {
-    double scale = largestComponent(twin);
+double scaleOf(const Tolerance& tolerance, const glm::dvec3& twin, double atLeast, double sceneScale) {
+    double scale = std::max(largestComponent(twin), atLeast);
     if (tolerance.scale == Scale::One) {
         scale = std::max(scale, 1.0);
     } else if (tolerance.scale == Scale::Scene) {
@@ -46,6 +46,7 @@ std::string textOf(const Tolerance& tolerance, const Answer::Value* value) {
 struct Hull {
     glm::dvec3 low{kNoLimit};
     glm::dvec3 high{-kNoLimit};
+    double scale = 0; // see Answer::Value
 
     void add(const glm::dvec3& v) {
         low = glm::min(low, v);
@@ -65,13 +66,14 @@ const Answer::Value* Answer::find(std::string_view field) const {
     return found == values_.end() ? nullptr : &*found;
 }
 
-FieldError errorOf(const Tolerance& tolerance, const glm::dvec3& device, const glm::dvec3& twin, double sceneScale) {
-    if (!isFinite(device) || !isFinite(twin)) {
-        return device == twin ? FieldError{} : FieldError{kNoLimit, kNoLimit};
+FieldError errorOf(const Tolerance& tolerance, const Answer::Value& device, const Answer::Value& twin,
+                   double sceneScale) {
+    if (!isFinite(device.real) || !isFinite(twin.real)) {
+        return device.real == twin.real ? FieldError{} : FieldError{kNoLimit, kNoLimit};
     }
-    const double scale = scaleOf(tolerance, twin, sceneScale);
+    const double scale = scaleOf(tolerance, twin.real, twin.scale, sceneScale);
     const double ulp = std::exp2(std::floor(std::log2(scale)) - 23);
-    return {largestComponent(device - twin) / ulp, glm::length(device - twin) / scale};
+    return {largestComponent(device.real - twin.real) / ulp, glm::length(device.real - twin.real) / scale};
 }
 
 double FieldResult::ulpPercentile(double share) const {
@@ -102,7 +104,7 @@ FieldResult* Comparison::firstDifference(const Answer& device, const Answer& twi
         }
         const bool agree = tolerance.measure == Measure::Exact
                                ? a->exact == b->exact
-                               : errorOf(tolerance, a->real, b->real, sceneScale_).relative <= tolerance.relative;
+                               : errorOf(tolerance, *a, *b, sceneScale_).relative <= tolerance.relative;
         if (!agree) {
             return &field;
         }
@@ -133,6 +135,7 @@ bool Comparison::isExplained(const Answer& device, const Twin& twin) const {
         for (std::size_t i = 0; i < hulls.size(); ++i) {
             if (const Answer::Value* value = answer.find(result_.fields[i].tolerance->field)) {
                 hulls[i].add(value->real);
+                hulls[i].scale = value->scale;
             }
         }
     }
@@ -142,7 +145,7 @@ bool Comparison::isExplained(const Answer& device, const Twin& twin) const {
         if (value == nullptr || tolerance.measure == Measure::Exact) {
             continue;
         }
-        const double allowed = tolerance.relative * scaleOf(tolerance, hulls[i].high, sceneScale_);
+        const double allowed = tolerance.relative * scaleOf(tolerance, hulls[i].high, hulls[i].scale, sceneScale_);
         if (!isFinite(value->real) || !hulls[i].holds(value->real, allowed)) {
             return false;
         }
@@ -168,7 +171,7 @@ void Comparison::count(const Answer& device, const Answer& twin, const FieldResu
             ++field.matched;
             continue;
         }
-        const FieldError error = errorOf(tolerance, a->real, b->real, sceneScale_);
+        const FieldError error = errorOf(tolerance, *a, *b, sceneScale_);
         const bool within = error.relative <= tolerance.relative;
         if (!within && explained) {
             ++field.apart;
@@ -230,7 +233,7 @@ Outcome Comparison::conclude(const std::string& dispatch, std::size_t i, const A
     const Answer::Value* b = expected.find(tolerance.field);
     double error = kNoLimit;
     if (a != nullptr && b != nullptr && tolerance.measure != Measure::Exact && tolerance.relative > 0) {
-        error = errorOf(tolerance, a->real, b->real, sceneScale_).relative / tolerance.relative;
+        error = errorOf(tolerance, *a, *b, sceneScale_).relative / tolerance.relative;
     }
     Offender offender;
     offender.where = dispatch + ", thread " + std::to_string(i);

@@ -81,7 +81,7 @@ std::string causeOf(const Sides& sides, const PathKey& key, const reference::Pho
         const Vertex twin = twinVertex(sides, key, pass, device, Nudge(n));
         const std::string rest = differenceAt(sides, device, twin);
         if (what == "object" && rest != "object") {
-            return "edge or silhouette";
+            return "edge, silhouette, or surfaces in one place";
         }
         if (what == "position" && rest != "object" && rest != "position") {
             return "grazing or ill-conditioned";
@@ -157,6 +157,9 @@ PathResults comparePaths(const Sides& sides, const PathRecorder& recorder) {
         PathResult& result = key.isPhoton ? results.photons : results.camera;
         ++result.compared;
         result.vertices += path.twin.size();
+        const auto isStored = [](const Vertex& vertex) { return (vertex.choice & kStored) != 0; };
+        result.storedOnDevice += static_cast<std::uint64_t>(std::ranges::count_if(path.device, isStored));
+        result.storedByTwin += static_cast<std::uint64_t>(std::ranges::count_if(path.twin, isStored));
         if (path.differsAt == 0) {
             ++result.agree;
         } else {

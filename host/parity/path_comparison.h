@@ -30,6 +30,8 @@ struct PathResult {
     std::uint64_t compared = 0;
     std::uint64_t vertices = 0;
     std::uint64_t agree = 0;
+    std::uint64_t storedOnDevice = 0; // photons that the paths left
+    std::uint64_t storedByTwin = 0;
     std::map<std::string, std::uint64_t> causes; // of those that do not: how often; "": nothing explains it
     std::vector<RecordedPath> worst;             // unexplained ones first, then those that part earliest
 

@@ -45,8 +45,13 @@ Json jsonOf(const FieldResult& field) {
 }
 
 Json jsonOf(const PathResult& paths) {
-    Json object{{"compared", paths.compared},       {"vertices", paths.vertices},  {"agree", paths.agree},
-                {"share", paths.shareThatAgrees()}, {"tolerance", kPathTolerance}, {"unexplained", paths.unexplained()},
+    Json object{{"compared", paths.compared},
+                {"vertices", paths.vertices},
+                {"agree", paths.agree},
+                {"photons_stored", {{"device", paths.storedOnDevice}, {"twin", paths.storedByTwin}}},
+                {"share", paths.shareThatAgrees()},
+                {"tolerance", kPathTolerance},
+                {"unexplained", paths.unexplained()},
                 {"causes", Json::object()}};
     for (const auto& [cause, number] : paths.causes) {
         object["causes"][cause.empty() ? "unexplained" : cause] = number;

@@ -54,28 +54,26 @@ dvec3 unpackDirection(std::uint32_t packed, std::uint32_t bits) {
 }
 
 Sides::Sides(const Scene& scene, const render::DeviceScene& deviceScene)
-    : scene_(scene), deviceScene_(deviceScene), world_(reference::prepareWorld(scene)), scale_(scaleOf(scene, world_)) {
-}
+    : scene_(scene), objectOf_(deviceScene.objectOf), leafOf_(deviceScene.leafOf), triangleOf_(deviceScene.triangleOf),
+      world_(reference::prepareWorld(scene)), scale_(scaleOf(scene, world_)) {}
 
 reference::Ray Sides::toTwin(const shared::Ray& ray) const {
     return {.origin = ray.origin, .direction = glm::normalize(dvec3(ray.direction)), .tMax = double{ray.tMax}};
 }
 
 std::optional<reference::Hit> Sides::toTwin(const shared::Hit& hit) const {
-    if (hit.object >= deviceScene_.objectOf.size()) {
+    if (hit.object >= objectOf_.size()) {
         return std::nullopt;
     }
-    reference::Hit twin{.t = hit.t, .object = deviceScene_.objectOf[hit.object], .u = hit.uv.x, .v = hit.uv.y};
+    reference::Hit twin{.t = hit.t, .object = objectOf_[hit.object], .u = hit.uv.x, .v = hit.uv.y};
     const Object* object = &scene_.objects[twin.object];
-    if (deviceScene_.leafOf[hit.object] != shared::kNone) {
-        twin.leaf = deviceScene_.leafOf[hit.object];
+    if (leafOf_[hit.object] != shared::kNone) {
+        twin.leaf = leafOf_[hit.object];
         object = &scene_.csgLeaves[twin.leaf];
     }
     const std::uint32_t primitive = hit.primitive & ~shared::kHitEnters;
     const bool isMesh = std::holds_alternative<MeshInstance>(object->shape);
-    twin.primitive =
-        isMesh ? (primitive < deviceScene_.triangleOf.size() ? deviceScene_.triangleOf[primitive] : shared::kNone)
-               : primitive;
+    twin.primitive = isMesh ? (primitive < triangleOf_.size() ? triangleOf_[primitive] : shared::kNone) : primitive;
     return twin;
 }
 
@@ -159,7 +157,7 @@ std::optional<reference::Hit> Sides::refined(const reference::Ray& ray, std::uin
 std::optional<reference::Hit> Sides::trace(const reference::Ray& ray, std::uint32_t from) const {
     std::optional<reference::Hit> hit = reference::traceClosest(world_, ray);
     const std::uint32_t left = (from & ~shared::kRayInside) - 1U; // kNone where it leaves nothing
-    if (!hit || left >= deviceScene_.objectOf.size() || hit->object != deviceScene_.objectOf[left]) {
+    if (!hit || left >= objectOf_.size() || hit->object != objectOf_[left]) {
         return hit;
     }
     // Rays that leave a mesh start beyond the error of its triangles: what they meet they meet

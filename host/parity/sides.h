@@ -16,7 +16,7 @@ namespace hyalite::parity {
 
 class Sides {
 public:
-    // References are kept.
+    // A reference to the scene is kept.
     Sides(const Scene& scene, const render::DeviceScene& deviceScene);
 
     [[nodiscard]] const Scene& scene() const { return scene_; }
@@ -48,7 +48,9 @@ private:
     [[nodiscard]] const Material* material(std::uint32_t number) const;
 
     const Scene& scene_;
-    const render::DeviceScene& deviceScene_;
+    std::vector<std::uint32_t> objectOf_; // see render::DeviceScene
+    std::vector<std::uint32_t> leafOf_;
+    std::vector<std::uint32_t> triangleOf_;
     reference::World world_;
     double scale_;
 };

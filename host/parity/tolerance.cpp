@@ -47,7 +47,7 @@ constexpr Allowed kDisc{0x1p-15,
 constexpr Allowed kRounding{0x1p-22, "one operation, or two"};
 
 // What rounding may decide otherwise.
-constexpr std::string_view kEdge = "edge or silhouette";
+constexpr std::string_view kEdge = "edge, silhouette, or surfaces in one place";
 constexpr std::string_view kCoin = "coin at its threshold";
 constexpr std::string_view kGrazing = "grazing or ill-conditioned";
 constexpr std::string_view kRim = "photon on the rim of the disc";

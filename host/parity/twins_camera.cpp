@@ -19,6 +19,8 @@ struct Slots {
     std::array<bool, 2> alive{};
     std::array<reference::Ray, 2> rays;
     std::array<reference::CameraPath, 2> paths;
+    double arriving =
+        0; // throughput that came here: what a lobe makes of it may be a small share, and is right to that
 };
 
 struct NextFields {
@@ -46,7 +48,7 @@ void addNext(Answer& answer, const NextFields& fields, const Sides& sides, const
     answer.exact(fields.medium, sides.numberOf(path.medium));
     answer.vector(fields.origin, ray.origin);
     answer.vector(fields.direction, ray.direction);
-    answer.vector(fields.beta, path.beta);
+    answer.vector(fields.beta, path.beta, slots.arriving);
     answer.number(fields.pdfW, path.pdfW);
 }
 
@@ -111,7 +113,7 @@ struct ShadeStage {
         answer.exact("visible", isVisible ? 1 : 0);
         answer.exact("rough", isRough ? 1 : 0);
         if (surface != nullptr) {
-            Slots slots;
+            Slots slots{.alive = {}, .rays = {}, .paths = {}, .arriving = largestComponent(dvec3(paths[i].beta))};
             for (std::size_t slot = 0; slot <= args.split; ++slot) {
                 const std::size_t at = (1 + args.split) * i + slot;
                 slots.alive[slot] = alive[at] != 0;
@@ -141,7 +143,7 @@ struct ShadeStage {
         ray.direction = nudge.direction(ray.direction);
         const reference::CameraPath path = sides.toTwin(paths[i]);
         reference::Shading shading;
-        Slots slots;
+        Slots slots{.alive = {}, .rays = {}, .paths = {}, .arriving = largestComponent(path.beta)};
         reference::Surface surface{};
         if (hit) {
             hit->t = nudge.number(hit->t);

@@ -84,7 +84,7 @@ struct ScatterStage {
     }
 
     void addNext(Answer& answer, const std::optional<reference::Ray>& ray, const reference::PhotonPath& path,
-                 const reference::Surface& surface, bool isCsg) const {
+                 const reference::Surface& surface, bool isCsg, double arriving) const {
         answer.exact("goes on", ray ? 1 : 0);
         if (!ray) {
             return;
@@ -99,7 +99,7 @@ struct ScatterStage {
         answer.exact("next medium", stage.sides.numberOf(path.medium));
         answer.vector("next origin", ray->origin);
         answer.vector("next direction", ray->direction);
-        answer.vector("next power", path.power);
+        answer.vector("next power", path.power, arriving); // a lobe may pass on a small share
     }
 
     [[nodiscard]] Answer deviceAnswer(std::size_t i, const reference::Surface* surface, bool isCsg) const {
@@ -114,7 +114,7 @@ struct ScatterStage {
         const bool goesOn = alive[i] != 0;
         if (surface != nullptr) {
             addNext(answer, goesOn ? std::optional(stage.sides.toTwin(nextRays[i])) : std::nullopt,
-                    stage.sides.toTwin(nextPaths[i]), *surface, isCsg);
+                    stage.sides.toTwin(nextPaths[i]), *surface, isCsg, largestComponent(dvec3(paths[i].power)));
         }
         if (args.account != 0) {
             const std::uint32_t number = paths[i].photon;
@@ -142,7 +142,8 @@ struct ScatterStage {
                 addPhoton(answer, static_cast<std::uint32_t>(path.kind), isDirect ? path.light : args.depth,
                           (path.photon + args.depth) % shared::kMarkEvery == 0, *scatter.stored);
             }
-            addNext(answer, scatter.next, scatter.path, reference::evaluateSurface(sides.world(), ray, *hit), true);
+            addNext(answer, scatter.next, scatter.path, reference::evaluateSurface(sides.world(), ray, *hit), true,
+                    largestComponent(path.power));
         } else {
             answer.exact("stored", 0);
         }

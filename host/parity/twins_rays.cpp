@@ -23,6 +23,18 @@ Answer answerOf(const Sides& sides, const reference::Ray& ray, const std::option
     return answer;
 }
 
+// Where surfaces coincide, a rounding says which of them is met; a move of the ray does not part them.
+bool areInOnePlace(const Sides& sides, const reference::Ray& ray, const std::optional<reference::Hit>& device,
+                   const std::optional<reference::Hit>& twin) {
+    if (!device || !twin) {
+        return false;
+    }
+    const double reach = kNudge * 0x1p-24 * std::max(sides.scale(), twin->t);
+    const dvec3 place = reference::evaluateSurface(sides.world(), ray, *device).position;
+    return std::abs(device->t - twin->t) <= reach &&
+           glm::length(place - (ray.origin + device->t * ray.direction)) <= reach;
+}
+
 } // namespace
 
 void compareTraceClosest(const Stage& stage) {
@@ -32,13 +44,19 @@ void compareTraceClosest(const Stage& stage) {
     const Sides& sides = stage.sides;
     for (std::size_t i = 0; i < args.count; ++i) {
         const shared::Ray& ray = rays[i];
+        const std::optional<reference::Hit> found = sides.toTwin(hits[i]);
+        const Answer device = answerOf(sides, sides.toTwin(ray), found);
         stage.compare(
-            i, answerOf(sides, sides.toTwin(ray), sides.toTwin(hits[i])),
+            i, device,
             [&](Nudge nudge) {
                 reference::Ray twin = sides.toTwin(ray);
                 twin.origin = nudge.point(twin.origin, sides.scale());
                 twin.direction = nudge.direction(twin.direction);
-                return answerOf(sides, twin, sides.trace(twin, ray.from));
+                const std::optional<reference::Hit> hit = sides.trace(twin, ray.from);
+                if (!nudge.movesNothing() && areInOnePlace(sides, sides.toTwin(ray), found, hit)) {
+                    return device;
+                }
+                return answerOf(sides, twin, hit);
             },
             [&] {
                 return OffenderInputs{{"origin", describe(dvec3(ray.origin))},

@@ -22,9 +22,9 @@ struct Progress {
 };
 
 struct RenderOptions {
-    bool profile = false; // time every stage
+    bool profile = false;        // time every stage
     std::uint32_t firstPass = 0; // its number
-    double timeLimit = 0; // start no pass that would probably end later than this [s]; 0: no limit
+    double timeLimit = 0;        // start no pass that would probably end later than this [s]; 0: no limit
     std::function<void(const Progress&)> onPass; // after every pass
     // Once, before the first pass: may have the device's commands observed
     std::function<void(Device&, const DeviceScene&)> onUpload;

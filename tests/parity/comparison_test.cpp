@@ -36,23 +36,31 @@ Answer hitOf(std::uint64_t object, double t) {
 } // namespace
 
 TEST_CASE("errors are measured in units in the last place of a float, and relative to their scale") {
+    const auto value = [](const glm::dvec3& v, double scale = 0) {
+        return Answer::Value{.field = "", .exact = 0, .real = v, .scale = scale};
+    };
     // A float in [4, 8) ends in 2^-21; the error of 3 of them is 3 * 2^-21 / 4 of the value
     const Tolerance& color = toleranceOf("resolve_film", "color");
-    const FieldError error = errorOf(color, glm::dvec3(4 + 3 * 0x1p-21, 1, 1), glm::dvec3(4, 1, 1), 100);
+    const FieldError error = errorOf(color, value({4 + 3 * 0x1p-21, 1, 1}), value({4, 1, 1}), 100);
     CHECK(error.ulp == 3);
     CHECK(error.relative == 3 * 0x1p-23);
-    // Positions are relative to the scene: 2^-20 of 64, where floats end in 2^-17
+    // Positions are relative to the scene: 2^-14 of 64, where floats end in 2^-17
     const Tolerance& t = toleranceOf("trace_closest", "t");
-    const FieldError small = errorOf(t, glm::dvec3(1 + 0x1p-14, 0, 0), glm::dvec3(1, 0, 0), 64);
+    const FieldError small = errorOf(t, value({1 + 0x1p-14, 0, 0}), value({1, 0, 0}), 64);
     CHECK(small.relative == 0x1p-20);
     CHECK(small.ulp == 8);
+    // A value may bring a scale of its own: 2^-22 of 1, not of 2^-10
+    CHECK(
+        errorOf(color, value(glm::dvec3(0x1p-10 + 0x1p-22, 0, 0)), value(glm::dvec3(0x1p-10, 0, 0), 1), 100).relative ==
+        0x1p-22);
     // What is not a number is no match of anything else
-    CHECK(std::isinf(errorOf(color, glm::dvec3(NAN), glm::dvec3(1), 1).relative));
-    CHECK(std::isinf(errorOf(color, glm::dvec3(INFINITY), glm::dvec3(1), 1).relative));
-    CHECK(errorOf(color, glm::dvec3(INFINITY), glm::dvec3(INFINITY), 1).relative == 0);
+    CHECK(std::isinf(errorOf(color, value(glm::dvec3(NAN)), value(glm::dvec3(1)), 1).relative));
+    CHECK(std::isinf(errorOf(color, value(glm::dvec3(INFINITY)), value(glm::dvec3(1)), 1).relative));
+    CHECK(errorOf(color, value(glm::dvec3(INFINITY)), value(glm::dvec3(INFINITY)), 1).relative == 0);
 }
 
-TEST_CASE("a difference is apart where a move of the input by roundings brings the twin to it, and has failed elsewhere") {
+TEST_CASE(
+    "a difference is apart where a move of the input by roundings brings the twin to it, and has failed elsewhere") {
     // An edge at x = 1: object 1 before it, object 2 behind
     const auto edge = [](double x) {
         return [x](Nudge nudge) {
@@ -73,7 +81,7 @@ TEST_CASE("a difference is apart where a move of the input by roundings brings t
     const FieldResult& object = result.fields.front();
     REQUIRE(object.offenders.size() == 2);
     CHECK(object.offenders[0].cause.empty()); // what nothing explains comes first
-    CHECK(object.offenders[1].cause == "edge or silhouette");
+    CHECK(object.offenders[1].cause == "edge, silhouette, or surfaces in one place");
 }
 
 TEST_CASE("a number is apart within what roundings of the input make of it, and has failed beyond") {
