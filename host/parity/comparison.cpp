@@ -76,6 +76,20 @@ FieldError errorOf(const Tolerance& tolerance, const Answer::Value& device, cons
     return {largestComponent(device.real - twin.real) / ulp, glm::length(device.real - twin.real) / scale};
 }
 
+void FieldResult::addError(const FieldError& error) {
+    largestUlp = std::max(largestUlp, error.ulp);
+    largestRelative = std::max(largestRelative, error.relative);
+    ++histogram.at(binOf(error.relative));
+    // The n-th takes the place of an earlier one with probability kUlpsKept / n: each is kept as likely as any other
+    const std::uint64_t n = matched + failed;
+    const std::uint64_t place = shared::hash(static_cast<std::uint32_t>(n)) % std::max<std::uint64_t>(n, 1);
+    if (ulps.size() < kUlpsKept) {
+        ulps.push_back(static_cast<float>(error.ulp));
+    } else if (place < kUlpsKept) {
+        ulps[place] = static_cast<float>(error.ulp);
+    }
+}
+
 double FieldResult::ulpPercentile(double share) const {
     if (ulps.empty()) {
         return 0;
@@ -178,10 +192,7 @@ void Comparison::count(const Answer& device, const Answer& twin, const FieldResu
             continue;
         }
         ++(within ? field.matched : field.failed);
-        field.largestUlp = std::max(field.largestUlp, error.ulp);
-        field.largestRelative = std::max(field.largestRelative, error.relative);
-        field.ulps.push_back(static_cast<float>(error.ulp));
-        ++field.histogram.at(binOf(error.relative));
+        field.addError(error);
     }
 }
 

@@ -14,7 +14,8 @@
 namespace hyalite::parity {
 
 inline constexpr std::size_t kOffendersKept = 8; // of a field
-inline constexpr int kLeastExponent = -30;       // of the histogram's first bin
+inline constexpr std::size_t kUlpsKept = 1U << 20U;
+inline constexpr int kLeastExponent = -30; // of the histogram's first bin
 inline constexpr std::size_t kBins = 32;
 
 using OffenderInputs = std::vector<std::pair<std::string, std::string>>; // name and value
@@ -42,11 +43,12 @@ struct FieldResult {
     // Of what matched or failed
     double largestUlp = 0;
     double largestRelative = 0;
-    std::vector<float> ulps;                      // of every one; sorted by finish()
+    std::vector<float> ulps; // of every one or, of more than kUlpsKept, of some by chance; sorted by Capture::finish
     std::array<std::uint64_t, kBins> histogram{}; // of relative errors by power of two; first: smaller, last: larger
     std::vector<Offender> offenders;              // the worst, worst first
 
-    [[nodiscard]] double ulpPercentile(double share) const; // after finish()
+    void addError(const FieldError& error);
+    [[nodiscard]] double ulpPercentile(double share) const; // once they are sorted
 };
 
 struct StageResult {

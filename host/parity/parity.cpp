@@ -17,6 +17,8 @@ constexpr std::uint32_t kTestSide = 64;
 constexpr std::uint32_t kTestPasses = 2;
 constexpr std::uint32_t kTestPhotons = 8192;
 
+constexpr std::uint32_t kMostShown = 128 * 128; // paths that a page has room for
+
 PictureResult comparePictures(Image device, Image twin) {
     const Crop whole = wholeOf(twin);
     PictureResult result;
@@ -66,7 +68,8 @@ Result compareSides(const gpu::Context& context, const gpu::ShaderCompiler& comp
     result.stages = capture->finish();
     if (options.stages.empty()) {
         result.paths = comparePaths(*sides, capture->recorder());
-        for (std::uint32_t pixel = 0; pixel < scene.camera.resolution.x * scene.camera.resolution.y; ++pixel) {
+        const std::uint32_t pixels = scene.camera.resolution.x * scene.camera.resolution.y;
+        for (std::uint32_t pixel = 0; pixels <= kMostShown && pixel < pixels; ++pixel) {
             result.shown.push_back(pathOf(*sides, capture->recorder(), {false, 0, pixel}));
         }
         result.picture = comparePictures(std::move(rendered.image.picture), reference::render(scene).picture);

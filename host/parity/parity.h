@@ -41,7 +41,7 @@ struct Result {
     std::vector<StageResult> stages; // in the order of their first dispatch
     std::optional<PathResults> paths;
     std::optional<PictureResult> picture;
-    std::vector<RecordedPath> shown; // of every pixel in pass 0, for a report
+    std::vector<RecordedPath> shown; // of every pixel in pass 0, for a report; none of large pictures
 
     [[nodiscard]] bool passed() const;
     // The stage of the earliest dispatch that failed; nullptr: none.

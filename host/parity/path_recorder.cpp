@@ -59,20 +59,17 @@ std::string describeChoice(const Vertex& vertex) {
 void PathRecorder::see(const Observed& dispatch) {
     const std::string& kernel = dispatch.kernel();
     if (kernel == "generate_camera_rays") {
-        seeCameraRays(dispatch);
+        fromCamera_ = ++cameraPasses_ <= kRecordedPasses;
     } else if (kernel == "start_gather_rays") {
         fromCamera_ = false;
     } else if (kernel == "shade_surface" && fromCamera_) {
         seeShading(dispatch);
-    } else if (kernel == "emit_photons" || kernel == "emit_caustic_photons") {
+    } else if ((kernel == "emit_photons" || kernel == "emit_caustic_photons") &&
+               photonPasses_.size() < kRecordedPasses) {
         seeEmission(dispatch);
     } else if (kernel == "scatter_photon") {
         seeScattering(dispatch);
     }
-}
-
-void PathRecorder::seeCameraRays(const Observed& /*dispatch*/) {
-    fromCamera_ = true;
 }
 
 void PathRecorder::seeShading(const Observed& dispatch) {
@@ -117,8 +114,12 @@ void PathRecorder::seeEmission(const Observed& dispatch) {
 
 void PathRecorder::seeScattering(const Observed& dispatch) {
     const auto args = dispatch.arguments<shared::ScatterPhotonArguments>();
-    photonPasses_[args.sequence].pass.kinds = args.kinds;
-    photonPasses_[args.sequence].maxDepth = args.maxDepth;
+    const auto pass = photonPasses_.find(args.sequence);
+    if (pass == photonPasses_.end()) {
+        return;
+    }
+    pass->second.pass.kinds = args.kinds;
+    pass->second.maxDepth = args.maxDepth;
     const auto rays = dispatch.before<shared::Ray>(args.rays, args.count);
     const auto hits = dispatch.before<shared::Hit>(args.hits, args.count);
     const auto paths = dispatch.before<shared::PhotonPath>(args.paths, args.count);

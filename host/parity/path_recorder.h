@@ -17,6 +17,9 @@ struct RecordedPass {
     std::uint32_t maxDepth = 0;
 };
 
+// Paths are written down of so many passes, and of the photons of so many sequences: those of more fill the memory.
+inline constexpr std::uint32_t kRecordedPasses = 4;
+
 class PathRecorder {
 public:
     // A reference is kept.
@@ -30,13 +33,13 @@ public:
     [[nodiscard]] const std::map<std::uint32_t, RecordedPass>& photonPasses() const { return photonPasses_; }
 
 private:
-    void seeCameraRays(const Observed& dispatch);
     void seeShading(const Observed& dispatch);
     void seeEmission(const Observed& dispatch);
     void seeScattering(const Observed& dispatch);
 
     const Sides& sides_;
-    bool fromCamera_ = false; // the camera queue holds paths that begin at the camera
+    bool fromCamera_ = false;        // the camera queue holds paths that begin at the camera
+    std::uint32_t cameraPasses_ = 0; // begun
     std::map<PathKey, std::vector<DeviceVertex>> paths_;
     std::map<std::uint32_t, RecordedPass> photonPasses_;
 };

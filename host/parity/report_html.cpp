@@ -6,6 +6,8 @@
 
 #include "parity/report_template.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -52,10 +54,28 @@ void append(std::string& text, const Vertex& vertex) {
     text += ',';
 }
 
+// The page shows so many vertices of a path, or fewer where all its paths had more together: some 600 bytes each, and
+// Whitted's trees have hundreds of branches.
+constexpr std::size_t kVerticesOfPath = 24;
+constexpr std::size_t kVerticesOfPage = 16384;
+
+std::size_t verticesShown(const std::vector<RecordedPath>& paths) {
+    for (std::size_t most = kVerticesOfPath; most > 1; --most) {
+        std::size_t sum = 0;
+        for (const RecordedPath& path : paths) {
+            sum += std::min(path.twin.size(), most);
+        }
+        if (sum <= kVerticesOfPage) {
+            return most;
+        }
+    }
+    return 1;
+}
+
 template <class Vertices>
-void appendList(std::string& text, const Vertices& vertices) {
+void appendList(std::string& text, const Vertices& vertices, std::size_t most) {
     text += '[';
-    for (const auto& vertex : vertices) {
+    for (const auto& vertex : std::span(vertices).first(std::min(vertices.size(), most))) {
         append(text, vertex);
     }
     text += vertices.empty() ? "]" : "";
@@ -65,16 +85,16 @@ void appendList(std::string& text, const Vertices& vertices) {
     text += ',';
 }
 
-// {"k": [photon?, sequence, number], "d": device, "t": twin, "r": random numbers by twin's vertex, "x": first
-// difference}
-void append(std::string& text, const RecordedPath& path) {
+// {"k": [photon?, sequence, number], "d": device, "t": twin, "r": random numbers by twin's vertex, "n": vertices
+// in all, "x": first difference}
+void append(std::string& text, const RecordedPath& path, std::size_t most) {
     text += "{\"k\":[" + std::to_string(path.key.isPhoton ? 1 : 0) + ',' + std::to_string(path.key.sequence) + ',' +
             std::to_string(path.key.number) + "],\"d\":";
-    appendList(text, path.device);
+    appendList(text, path.device, most);
     text += "\"t\":";
-    appendList(text, path.twin);
+    appendList(text, path.twin, most);
     text += "\"r\":[";
-    for (const Vertex& vertex : path.twin) {
+    for (const Vertex& vertex : std::span(path.twin).first(std::min(path.twin.size(), most))) {
         text += '[';
         for (const RandomNumbers& random : randomNumbersAt(path.key, vertex)) {
             append(text, random.numbers.x);
@@ -86,7 +106,7 @@ void append(std::string& text, const RecordedPath& path) {
     if (!path.twin.empty()) {
         text.pop_back();
     }
-    text += ']';
+    text += "],\"n\":" + std::to_string(std::max(path.device.size(), path.twin.size()));
     if (path.differsAt != 0) {
         text += ",\"x\":" + Json{path.differsAt, path.what, path.cause.empty() ? "unexplained" : path.cause}.dump();
     }
@@ -94,9 +114,10 @@ void append(std::string& text, const RecordedPath& path) {
 }
 
 std::string listOf(const std::vector<RecordedPath>& paths) {
+    const std::size_t most = verticesShown(paths);
     std::string text = "[";
     for (const RecordedPath& path : paths) {
-        append(text, path);
+        append(text, path, most);
     }
     if (!paths.empty()) {
         text.pop_back();
