@@ -29,6 +29,8 @@ int parseAndRun(int argc, char** argv) {
     ExitCode exit = ExitCode::Done;
     addRender(app, exit);
     addCompare(app, exit);
+    addParity(app, exit);
+    addInspect(app);
     addDoctor(app, exit);
     try {
         app.parse(argc, argv);

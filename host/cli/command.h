@@ -12,6 +12,8 @@ namespace hyalite::cli {
 
 void addRender(CLI::App& app, ExitCode& exit);
 void addCompare(CLI::App& app, ExitCode& exit);
+void addParity(CLI::App& app, ExitCode& exit);
+void addInspect(CLI::App& app);
 void addDoctor(CLI::App& app, ExitCode& exit);
 
 } // namespace hyalite::cli

@@ -6,17 +6,16 @@
 #include "cli/command.h"
 #include "cli/number_check.h"
 #include "cli/render_report.h"
+#include "cli/scene_settings.h"
 #include "cli/shader_folder.h"
 #include "gpu/self_test.h"
 #include "image/image_io.h"
 #include "scene/load_scene.h"
-#include "scene/settings.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <optional>
 
@@ -39,57 +38,17 @@ struct RenderCommand {
     bool json = false;
     bool quiet = false;
     // Options that stand for a key of the scene file
-    struct Setting {
-        std::string option;
-        std::string key;
-        std::optional<std::string> value;
-    };
-    std::vector<Setting> shorthands{{"--integrator", "render.integrator", {}},
-                                    {"--resolution", "camera.resolution", {}},
-                                    {"--passes", "render.passes", {}},
-                                    {"--samples", "render.passes", {}},
-                                    {"--photons", "render.photons", {}},
-                                    {"--max-depth", "render.max_depth", {}},
-                                    {"--seed", "render.seed", {}},
-                                    {"--sampler", "render.sampler", {}},
-                                    {"--target-error", "render.target_error", {}}};
+    std::vector<SceneSetting> shorthands{{"--integrator", "render.integrator", {}},
+                                         {"--resolution", "camera.resolution", {}},
+                                         {"--passes", "render.passes", {}},
+                                         {"--samples", "render.passes", {}},
+                                         {"--photons", "render.photons", {}},
+                                         {"--max-depth", "render.max_depth", {}},
+                                         {"--seed", "render.seed", {}},
+                                         {"--sampler", "render.sampler", {}},
+                                         {"--target-error", "render.target_error", {}}};
     std::vector<std::string> settings; // key=value
 };
-
-std::vector<RenderCommand::Setting> allSettings(const RenderCommand& command) {
-    std::vector<RenderCommand::Setting> settings;
-    std::ranges::copy_if(command.shorthands, std::back_inserter(settings),
-                         [](const auto& setting) { return setting.value.has_value(); });
-    for (const std::string& text : command.settings) {
-        const std::size_t equals = text.find('=');
-        if (equals == std::string::npos) {
-            throw Error(ExitCode::WrongUsage, "--set " + text + " has no value", "write --set key=value");
-        }
-        settings.push_back({"--set", text.substr(0, equals), text.substr(equals + 1)});
-    }
-    return settings;
-}
-
-// Settings may need one another (a depth of 0 suits one integrator only): what is refused is tried again after the
-// rest.
-void applySettings(Scene& scene, std::vector<RenderCommand::Setting> settings) {
-    while (!settings.empty()) {
-        std::vector<RenderCommand::Setting> refused;
-        std::optional<Error> first;
-        for (const auto& setting : settings) {
-            try {
-                applySetting(scene, setting.key, *setting.value, setting.option);
-            } catch (const Error& error) {
-                first = first ? first : error;
-                refused.push_back(setting);
-            }
-        }
-        if (refused.size() == settings.size()) {
-            throw Error(*first);
-        }
-        settings = std::move(refused);
-    }
-}
 
 // An option that would have no effect is a mistake, not a matter of taste.
 void refuseDeviceOptions(const RenderCommand& command) {
@@ -212,7 +171,7 @@ void renderScene(RenderCommand command) {
         refuseDeviceOptions(command);
     }
     Scene scene = loadScene(command.scene);
-    applySettings(scene, allSettings(command));
+    applySettings(scene, allSettings(command.shorthands, command.settings));
     if (command.outputs.empty()) {
         command.outputs.push_back(std::filesystem::path(command.scene).stem().string() + ".png");
     }
@@ -277,7 +236,7 @@ void addRender(CLI::App& app, ExitCode&) {
     sub->add_option("SCENE", command->scene, "scene file (YAML)")->required();
     sub->add_option("-o,--output", command->outputs, "picture to write, .png or .exr; may be given several times");
     const auto shorthand = [&](std::size_t index, const std::string& text) {
-        RenderCommand::Setting& setting = command->shorthands[index];
+        SceneSetting& setting = command->shorthands[index];
         sub->add_option(setting.option, setting.value, text);
     };
     shorthand(0, "ppm (progressive photon mapping), photonmap (in two passes), whitted (recursive ray tracing) or path "

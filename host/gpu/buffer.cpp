@@ -63,7 +63,7 @@ vk::raii::DeviceMemory allocate(const Context::Impl& context, const vk::raii::Bu
 } // namespace
 
 Buffer::Buffer(const Context& owner, std::size_t bytes, std::string name) : impl_(std::make_unique<Impl>()) {
-    const Context::Impl& context = owner.impl();
+    Context::Impl& context = owner.impl();
     const std::string what = "making buffer '" + name + '\'';
     impl_->name = std::move(name);
     impl_->bytes = bytes;
@@ -92,6 +92,14 @@ Buffer::Buffer(const Context& owner, std::size_t bytes, std::string name) : impl
         const auto handle = reinterpret_cast<std::uint64_t>(static_cast<VkBuffer>(*impl_->buffer));
         context.nameObject(vk::ObjectType::eBuffer, handle, impl_->name);
     });
+    context.buffers[impl_->address] = mapped();
+    impl_->owner = &context;
+}
+
+Buffer::Impl::~Impl() {
+    if (owner != nullptr) {
+        owner->buffers.erase(address);
+    }
 }
 
 Buffer::Buffer() = default;

@@ -79,6 +79,8 @@ public:
     // the finish that follows. An empty buffer, like a binding never set (Float4), shows one texel of zeros.
     // Throws Error(Device) when it has more texels than the device allows.
     void set(std::uint32_t binding, const Buffer& buffer, TexelFormat format);
+    // Device address of the buffer shown at `binding`.
+    [[nodiscard]] std::uint64_t shown(std::uint32_t binding) const;
 
     struct Impl;
     [[nodiscard]] const Impl& impl() const { return *impl_; }

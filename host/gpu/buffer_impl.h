@@ -15,6 +15,12 @@ struct Buffer::Impl {
     vk::raii::Buffer buffer = nullptr;
     std::byte* mapped = nullptr;
     std::uint64_t address = 0;
+    Context::Impl* owner = nullptr; // that lists this buffer by its address
+
+    Impl() = default;
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+    ~Impl();
 };
 
 struct TexelTables::Impl {
@@ -25,6 +31,7 @@ struct TexelTables::Impl {
     vk::raii::DescriptorSet set = nullptr;
     std::vector<vk::raii::BufferView> views; // one a binding
     std::vector<TexelFormat> formats;        // of the views
+    std::vector<std::uint64_t> addresses;    // of what they show
 };
 
 } // namespace hyalite::gpu

@@ -59,6 +59,7 @@ struct Commands::Impl {
     std::vector<vk::raii::QueryPool> queries;
     std::vector<Span> spans; // of the work that is not finished; span i has timestamps 2 i and 2 i + 1
     std::map<std::string, StageTime> times;
+    DispatchObserver* observer = nullptr;
 
     Impl(const Context::Impl& owner, const TexelTables::Impl& allTables, bool isTimed)
         : context(owner), tables(allTables), timed(isTimed),
@@ -171,6 +172,20 @@ void Commands::run(const Kernel& kernel, std::span<const std::byte> arguments, s
                                                 " in another format than it was set in");
         }
     }
+    if (impl_->observer == nullptr) {
+        record(kernel, arguments, threads);
+        return;
+    }
+    const Dispatch dispatch{kernel, arguments, threads};
+    finish();
+    impl_->observer->before(dispatch);
+    record(kernel, arguments, threads);
+    finish();
+    impl_->observer->after(dispatch);
+}
+
+void Commands::record(const Kernel& kernel, std::span<const std::byte> arguments, std::uint32_t threads) {
+    const Kernel::Impl& implementation = kernel.impl();
     const std::uint32_t groups = (threads - 1) / shared::kGroupSize + 1;
     checked("recording kernel '" + kernel.name() + '\'', [&] {
         impl_->record({.name = kernel.name(), .dispatches = 1, .threads = threads}, [&] {
@@ -228,6 +243,10 @@ void Commands::finish() {
         impl_->pool.reset();
         impl_->used = 0;
     });
+}
+
+void Commands::observe(DispatchObserver* observer) {
+    impl_->observer = observer;
 }
 
 const std::map<std::string, StageTime>& Commands::times() const {

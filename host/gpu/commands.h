@@ -1,6 +1,7 @@
 // Records kernels one after another, each seeing all that the ones before it wrote, and times each by name.
 #pragma once
 
+#include "gpu/dispatch_observer.h"
 #include "gpu/kernel.h"
 
 #include <map>
@@ -35,11 +36,16 @@ public:
     // Throws Error(Device) when the device is lost.
     void finish();
 
+    // From now on `observer` (nullptr: nobody) sees every dispatch, and each is finished before the next is recorded.
+    // It must outlive its use.
+    void observe(DispatchObserver* observer);
+
     // Sums over all finished work, by kernel name; empty unless timed.
     [[nodiscard]] const std::map<std::string, StageTime>& times() const;
 
 private:
     void run(const Kernel& kernel, std::span<const std::byte> arguments, std::uint32_t threads);
+    void record(const Kernel& kernel, std::span<const std::byte> arguments, std::uint32_t threads);
 
     struct Impl;
     std::unique_ptr<Impl> impl_;

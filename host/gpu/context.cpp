@@ -135,6 +135,15 @@ const DeviceInfo& Context::info() const {
     return impl_->info;
 }
 
+std::span<std::byte> Context::memoryAt(std::uint64_t address) const {
+    auto after = impl_->buffers.upper_bound(address);
+    if (after == impl_->buffers.begin()) {
+        return {};
+    }
+    const auto& [begin, bytes] = *--after;
+    return address - begin < bytes.size() ? bytes.subspan(address - begin) : std::span<std::byte>();
+}
+
 std::uint32_t Context::validationMessages() const {
     return impl_->log.messages;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct DeviceInfo {
     std::string name;
     std::string driver;               // e.g. "llvmpipe Mesa 25.0.7-2 (LLVM 15.0.6)"
     bool software = false;            // runs on the CPU
+    std::uint32_t subgroupSize = 0;   // lanes that run together; on a CPU, floats of a vector
     std::vector<std::string> missing; // features and limits it lacks; empty: usable
 };
 
@@ -45,6 +47,9 @@ public:
 
     [[nodiscard]] const DeviceInfo& info() const;
     [[nodiscard]] std::uint32_t validationMessages() const; // how many came so far
+
+    // From a device address to the end of the buffer it lies in, as the host sees it; empty where there is no buffer.
+    [[nodiscard]] std::span<std::byte> memoryAt(std::uint64_t address) const;
 
     struct Impl; // host/gpu only
     [[nodiscard]] Impl& impl() const { return *impl_; }

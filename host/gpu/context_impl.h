@@ -5,6 +5,8 @@
 #include "gpu/vulkan.h"
 
 #include <atomic>
+#include <map>
+#include <span>
 
 namespace hyalite::gpu {
 
@@ -25,10 +27,11 @@ struct Context::Impl {
     vk::raii::Queue queue = nullptr;
 
     vk::PhysicalDeviceLimits limits;
-    vk::DeviceSize maxAllocation = 0; // bytes of one memory allocation and of one buffer
-    bool memoryBudget = false;        // VK_EXT_memory_budget says how much of a heap is free
-    std::uint64_t timestampMask = 0;  // the bits of a timestamp that count
-    double secondsPerTick = 0;        // of a timestamp
+    vk::DeviceSize maxAllocation = 0;                      // bytes of one memory allocation and of one buffer
+    bool memoryBudget = false;                             // VK_EXT_memory_budget says how much of a heap is free
+    std::uint64_t timestampMask = 0;                       // the bits of a timestamp that count
+    double secondsPerTick = 0;                             // of a timestamp
+    std::map<std::uint64_t, std::span<std::byte>> buffers; // that exist, by device address
     void nameObject(vk::ObjectType type, std::uint64_t handle,
                     const std::string& name) const; // for validation messages
 };

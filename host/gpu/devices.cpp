@@ -98,8 +98,10 @@ DeviceInfo describe(const vk::raii::PhysicalDevice& physical) {
         info.missing.push_back("Vulkan 1.3 (not " + versionText(properties.apiVersion) + ')');
         return info;
     }
-    const auto chain = physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
+    const auto chain = physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties,
+                                               vk::PhysicalDeviceSubgroupProperties>();
     const auto& driver = chain.get<vk::PhysicalDeviceDriverProperties>();
+    info.subgroupSize = chain.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize;
     info.driver = std::string(driver.driverName.data()) + ' ' + driver.driverInfo.data();
     info.missing = missingFeatures(physical);
     return info;

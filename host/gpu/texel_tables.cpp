@@ -17,6 +17,7 @@ TexelTables::TexelTables(const Context& context, std::uint32_t bindings) : impl_
                          .stageFlags = vk::ShaderStageFlagBits::eCompute};
             impl_->views.emplace_back(nullptr);
             impl_->formats.push_back(TexelFormat::Float4);
+            impl_->addresses.push_back(0);
         }
         impl_->layout = {device,
                          vk::DescriptorSetLayoutCreateInfo{.bindingCount = bindings, .pBindings = layout.data()}};
@@ -40,6 +41,10 @@ TexelTables::TexelTables(const Context& context, std::uint32_t bindings) : impl_
 TexelTables::~TexelTables() = default;
 TexelTables::TexelTables(TexelTables&&) noexcept = default;
 TexelTables& TexelTables::operator=(TexelTables&&) noexcept = default;
+
+std::uint64_t TexelTables::shown(std::uint32_t binding) const {
+    return impl_->addresses.at(binding);
+}
 
 void TexelTables::set(std::uint32_t binding, const Buffer& buffer, TexelFormat format) {
     vk::raii::BufferView& previous = impl_->views.at(binding);
@@ -68,6 +73,7 @@ void TexelTables::set(std::uint32_t binding, const Buffer& buffer, TexelFormat f
                                    .pTexelBufferView = &handle},
             nullptr);
         impl_->formats[binding] = format;
+        impl_->addresses[binding] = shown.address;
         previous = std::move(view); // the old view goes after the set has let go of it
     });
 }

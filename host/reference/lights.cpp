@@ -237,10 +237,11 @@ LightArrival sampleArrival(const World& world, const glm::dvec3& receiver, const
         light = *choice.light;
         sampler.seed = shared::deriveSequence(sampler.seed, light);
     } else {
-        light = chooseLight(world.lights, sampleUnitSquare(sampler, shared::cameraLightChoice(vertex)).x);
+        const double x = sampleUnitSquare(sampler, shared::cameraLightChoice(vertex), choice.shift).x;
+        light = chooseLight(world.lights, x);
         pmf = world.lights[light].pmf;
     }
-    const glm::dvec2 uv = sampleUnitSquare(sampler, shared::cameraLightPoint(vertex));
+    const glm::dvec2 uv = sampleUnitSquare(sampler, shared::cameraLightPoint(vertex), choice.shift);
     const Light& chosen = world.lights[light];
     const Offer offer = std::visit([&](const auto& shape) { return offerTo(receiver, shape, uv); }, chosen.shape);
     return {.direction = glm::normalize(offer.way),
@@ -250,9 +251,10 @@ LightArrival sampleArrival(const World& world, const glm::dvec3& receiver, const
 }
 
 std::optional<LightSample> sampleLight(const World& world, const VisiblePoint& x, std::uint32_t pass,
-                                       std::optional<std::uint32_t> light) {
-    const LightArrival arrival = sampleArrival(
-        world, x.position, {.depth = x.depth, .samplerSeed = x.samplerSeed, .pass = pass, .light = light});
+                                       std::optional<std::uint32_t> light, double shift) {
+    const LightArrival arrival =
+        sampleArrival(world, x.position,
+                      {.depth = x.depth, .samplerSeed = x.samplerSeed, .pass = pass, .light = light, .shift = shift});
     const double cosX = glm::dot(x.normal, arrival.direction);
     if (!(cosX > 0 && channelMean(arrival.irradiance) > 0)) {
         return std::nullopt;
@@ -307,9 +309,10 @@ LightRay emitFrom(const Light& light, glm::dvec2 uOrigin, glm::dvec2 uDirection)
             },
             [&](const AreaLight& area) {
                 const LightPoint point = pointOn(area, uOrigin);
-                return LightRay{.origin = point.moved(),
+                return LightRay{.origin = point.position,
                                 .direction = cosineHemisphere(uDirection, point.normal),
-                                .normal = point.normal};
+                                .normal = point.normal,
+                                .offset = point.offset};
             },
         },
         light.shape);
@@ -351,16 +354,16 @@ double originDensity(const Light& light, const glm::dvec3& point, const glm::dve
     return disc && disc->isPassed(point, direction) ? 1 / disc->area() : 0;
 }
 
-Emission emitPhoton(const World& world, std::uint32_t photon, const PhotonPass& pass) {
+Emission emitPhoton(const World& world, std::uint32_t photon, const PhotonPass& pass, double shift) {
     if (pass.aimed) {
-        return emitAimedPhoton(world, photon, pass);
+        return emitAimedPhoton(world, photon, pass, shift);
     }
     const shared::Sampler sampler = shared::photonSampler(pass.sequence, photon);
-    const std::uint32_t index = chooseLight(world.lights, sampleUnitSquare(sampler, shared::kPhotonLight).x);
+    const std::uint32_t index = chooseLight(world.lights, sampleUnitSquare(sampler, shared::kPhotonLight, shift).x);
     const Light& light = world.lights[index];
-    const LightRay ray = emitFrom(light, sampleUnitSquare(sampler, shared::kPhotonOrigin),
-                                  sampleUnitSquare(sampler, shared::kPhotonDirection));
-    return {.ray = {.origin = ray.origin, .direction = ray.direction},
+    const LightRay ray = emitFrom(light, sampleUnitSquare(sampler, shared::kPhotonOrigin, shift),
+                                  sampleUnitSquare(sampler, shared::kPhotonDirection, shift));
+    return {.ray = {.origin = startOf(ray), .direction = ray.direction},
             .power = ray.power / (light.pmf * pass.count),
             .light = index};
 }

@@ -74,6 +74,7 @@ struct LightChoice {
     std::uint32_t samplerSeed = 0;
     std::uint32_t pass = 0;
     std::optional<std::uint32_t> light = std::nullopt;
+    double shift = 0; // of the numbers: see sampleUnitSquare
 };
 
 // What the chosen light sends to a receiver from the place that is chosen on it.
@@ -94,9 +95,10 @@ struct LightSample {
     double pdfW = 0;         // density of the choice [1/sr]; 0: no ray can hit the light
 };
 
-// Samples one light, the one named or one picked, at a visible point in a pass. None: the light cannot reach that side.
+// Samples one light, the one named or one picked, at a visible point in a pass; `shift`: see LightChoice. None: the
+// light cannot reach that side.
 [[nodiscard]] std::optional<LightSample> sampleLight(const World& world, const VisiblePoint& x, std::uint32_t pass,
-                                                     std::optional<std::uint32_t> light);
+                                                     std::optional<std::uint32_t> light, double shift = 0);
 
 // Radiance [W/(m^2 sr)] from the unit direction, of rays that hit nothing.
 [[nodiscard]] glm::dvec3 environmentRadiance(const World& world, const glm::dvec3& direction);
@@ -110,13 +112,19 @@ struct LightSample {
 // How a photon leaves a light. The density of the whole ray is that of the origin times that of the direction given the
 // origin; where light is parallel or comes from beyond the scene, of the direction times that of the origin.
 struct LightRay {
-    glm::dvec3 origin;       // world [m]
+    glm::dvec3 origin;       // world, on the light [m]
     glm::dvec3 direction;    // unit
     glm::dvec3 normal{0};    // unit, of the light at the origin; zero where it has no surface
+    double offset = 0;       // along the normal: the ray starts so far off the light [m]
     glm::dvec3 power{0};     // flux [W] of the light if all its photons were like this one
     double pdfDirection = 0; // [1/sr], given the origin; 0: the origin was chosen for the direction
     double pdfOrigin = 0;    // [1/m^2] across the direction and given it; 0: the direction was chosen for the origin
 };
+
+// Where a ray of the light's starts [m].
+[[nodiscard]] inline glm::dvec3 startOf(const LightRay& ray) {
+    return ray.origin + ray.offset * ray.normal;
+}
 
 // A ray of the light's photons, with a density in proportion to the flux.
 [[nodiscard]] LightRay emitFrom(const Light& light, glm::dvec2 uOrigin, glm::dvec2 uDirection);
@@ -138,7 +146,8 @@ struct Emission {
     std::uint32_t light = 0;
 };
 
-// Emission of photon `photon` of a pass, from a light picked by the pmf. Some light must emit.
-[[nodiscard]] Emission emitPhoton(const World& world, std::uint32_t photon, const PhotonPass& pass);
+// Emission of photon `photon` of a pass, from a light picked by the pmf. Some light must emit. `shift`: see
+// sampleUnitSquare.
+[[nodiscard]] Emission emitPhoton(const World& world, std::uint32_t photon, const PhotonPass& pass, double shift = 0);
 
 } // namespace hyalite::reference

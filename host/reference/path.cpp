@@ -30,11 +30,12 @@ glm::dvec3 directLight(const World& world, const VisiblePoint& x, std::uint32_t 
 } // namespace
 
 // By the cosine: f cos / pdfW = pi f. Roulette ends paths in proportion to what they still carry [Arvo90].
-std::optional<NextRay> bouncePath(const World& world, const VisiblePoint& x, const CameraPath& path,
-                                  std::uint32_t pass) {
+std::optional<NextRay> bouncePath(const World& world, const VisiblePoint& x, const CameraPath& path, std::uint32_t pass,
+                                  double shift) {
     const shared::Sampler sampler = shared::pathSampler(x.samplerSeed, pass);
     const std::uint32_t vertex = x.depth - 1;
-    const glm::dvec3 direction = cosineHemisphere(sampleUnitSquare(sampler, shared::pathBounce(vertex)), x.normal);
+    const glm::dvec3 direction =
+        cosineHemisphere(sampleUnitSquare(sampler, shared::pathBounce(vertex), shift), x.normal);
     if (glm::dot(direction, x.geometricNormal) <= 0) { // a smoothed normal leans over: this way leads into the surface
         return std::nullopt;
     }
@@ -42,7 +43,8 @@ std::optional<NextRay> bouncePath(const World& world, const VisiblePoint& x, con
     const double entering = x.coated ? coatTransmission(cosine) : 1;
     const glm::dvec3 beta = (std::numbers::pi * entering) * x.f;
     const double survival = std::min(1.0, std::max({beta.x, beta.y, beta.z}));
-    if (x.depth >= world.render.maxDepth || sampleUnitSquare(sampler, shared::pathRoulette(vertex)).x >= survival) {
+    if (x.depth >= world.render.maxDepth ||
+        sampleUnitSquare(sampler, shared::pathRoulette(vertex), shift).x >= survival) {
         return std::nullopt;
     }
     return NextRay{.ray = {.origin = x.shadowOrigin, .direction = direction},

@@ -118,7 +118,7 @@ Aimed aimFromPoint(const World& world, const Light& light, LightRay ray, double 
     }
     const double w = weight(cones, emissionDensity(light, ray.normal, ray.direction),
                             [&](std::size_t i) { return i == chosen || cones[i].contains(ray.direction); });
-    return {.ray = {.origin = ray.origin, .direction = ray.direction}, .power = light.power * w};
+    return {.ray = {.origin = startOf(ray), .direction = ray.direction}, .power = light.power * w};
 }
 
 Aimed aimAcross(const World& world, const Light& light, LightRay ray, double choice, glm::dvec2 uOrigin) {
@@ -145,13 +145,13 @@ Aimed aimAcross(const World& world, const Light& light, LightRay ray, double cho
 
 } // namespace
 
-Emission emitAimedPhoton(const World& world, std::uint32_t photon, const PhotonPass& pass) {
+Emission emitAimedPhoton(const World& world, std::uint32_t photon, const PhotonPass& pass, double shift) {
     const shared::Sampler sampler = shared::photonSampler(pass.sequence, photon);
-    const glm::dvec2 choice = sampleUnitSquare(sampler, shared::kPhotonLight);
+    const glm::dvec2 choice = sampleUnitSquare(sampler, shared::kPhotonLight, shift);
     const std::uint32_t index = chooseLight(world.lights, choice.x);
     const Light& light = world.lights[index];
-    const glm::dvec2 uOrigin = sampleUnitSquare(sampler, shared::kPhotonOrigin);
-    const glm::dvec2 uDirection = sampleUnitSquare(sampler, shared::kPhotonDirection);
+    const glm::dvec2 uOrigin = sampleUnitSquare(sampler, shared::kPhotonOrigin, shift);
+    const glm::dvec2 uDirection = sampleUnitSquare(sampler, shared::kPhotonDirection, shift);
     const LightRay own = emitFrom(light, uOrigin, uDirection);
     Aimed aimed = own.pdfOrigin > 0 ? aimAcross(world, light, own, choice.y, uOrigin)
                                     : aimFromPoint(world, light, own, choice.y, uDirection);

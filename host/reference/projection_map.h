@@ -10,6 +10,7 @@ namespace hyalite::reference {
 
 // As emitPhoton, but of the rays towards the targets only; there is one target at least. The flux of a photon is what
 // the light sends per unit of density along its ray; 0 where the light does not shine.
-[[nodiscard]] Emission emitAimedPhoton(const World& world, std::uint32_t photon, const PhotonPass& pass);
+[[nodiscard]] Emission emitAimedPhoton(const World& world, std::uint32_t photon, const PhotonPass& pass,
+                                       double shift = 0);
 
 } // namespace hyalite::reference

@@ -7,9 +7,10 @@ double powerHeuristic(double pdf, double other) {
 }
 
 std::optional<LightSample> sampleRoughLight(const World& world, const RoughPoint& x, std::uint32_t pass,
-                                            std::optional<std::uint32_t> light) {
-    const LightArrival arrival = sampleArrival(
-        world, x.surface.position, {.depth = x.depth, .samplerSeed = x.samplerSeed, .pass = pass, .light = light});
+                                            std::optional<std::uint32_t> light, double shift) {
+    const LightArrival arrival =
+        sampleArrival(world, x.surface.position,
+                      {.depth = x.depth, .samplerSeed = x.samplerSeed, .pass = pass, .light = light, .shift = shift});
     const glm::dvec3& wi = arrival.direction;
     const ShadingNormals normals{x.surface.normal, x.surface.geometricNormal};
     const LobeValue value = evaluateLobe(x.lobe, normals, x.wo, wi, Transport::Radiance);

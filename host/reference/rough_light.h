@@ -25,7 +25,7 @@ struct RoughPoint {
 
 // As sampleLight, weighted.
 [[nodiscard]] std::optional<LightSample> sampleRoughLight(const World& world, const RoughPoint& x, std::uint32_t pass,
-                                                          std::optional<std::uint32_t> light);
+                                                          std::optional<std::uint32_t> light, double shift = 0);
 
 // The light of one such sample, of a light picked, if nothing stands between.
 [[nodiscard]] glm::dvec3 directRoughLight(const World& world, const RoughPoint& x, std::uint32_t pass);

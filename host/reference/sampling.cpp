@@ -13,9 +13,9 @@ double toUnit(std::uint32_t bits) {
     return static_cast<double>(bits >> 8U) * 0x1p-24;
 }
 
-glm::dvec2 sampleUnitSquare(const shared::Sampler& sampler, std::uint32_t dimension) {
+glm::dvec2 sampleUnitSquare(const shared::Sampler& sampler, std::uint32_t dimension, double shift) {
     const glm::uvec2 bits = shared::sampleBits(sampler, dimension);
-    return {toUnit(bits.x), toUnit(bits.y)};
+    return glm::clamp(glm::dvec2(toUnit(bits.x), toUnit(bits.y)) + shift, 0.0, 1 - 0x1p-24);
 }
 
 glm::dvec2 concentricDisc(glm::dvec2 uv) {

@@ -13,8 +13,9 @@ namespace hyalite::reference {
 // The number in [0, 1) that 32 random bits stand for: their upper 24, which single precision holds exactly too.
 [[nodiscard]] double toUnit(std::uint32_t bits);
 
-// The sampler's pair of numbers in [0, 1)^2 for a dimension.
-[[nodiscard]] glm::dvec2 sampleUnitSquare(const shared::Sampler& sampler, std::uint32_t dimension);
+// The sampler's pair of numbers in [0, 1)^2 for a dimension; with `shift` added as far as they stay in there: what
+// would a rounding of them change?
+[[nodiscard]] glm::dvec2 sampleUnitSquare(const shared::Sampler& sampler, std::uint32_t dimension, double shift = 0);
 
 // Concentric map to the unit disc, uniform in area [Shirley97].
 [[nodiscard]] glm::dvec2 concentricDisc(glm::dvec2 uv);

@@ -65,6 +65,10 @@ RenderResult render(const gpu::Context& context, const gpu::ShaderCompiler& comp
     Film film(device, scene.camera.resolution, layersOf(scene));
     const auto integrator = makeIntegrator(device, scene, deviceScene, film, options);
 
+    if (options.onUpload) {
+        options.onUpload(device, deviceScene);
+    }
+
     RenderResult result;
     result.setupSeconds = setup.seconds();
     const Stopwatch passes;
@@ -72,7 +76,7 @@ RenderResult render(const gpu::Context& context, const gpu::ShaderCompiler& comp
     while (progress.passes < progress.ofPasses && timeForAnotherPass(progress, options.timeLimit) &&
            !reachesTarget(progress, scene.render.targetError)) {
         film.beginPass(progress.passes);
-        integrator->renderPass(progress.passes);
+        integrator->renderPass(options.firstPass + progress.passes);
         ++progress.passes;
         if (looksAtError(progress.passes)) {
             progress.errorEstimate = film.estimateError(device, progress.passes);

@@ -4,6 +4,7 @@
 #include "gpu/commands.h"
 #include "gpu/shader_compiler.h"
 #include "image/layered_image.h"
+#include "render/device_scene.h"
 #include "render/integrator.h"
 #include "scene/scene.h"
 
@@ -13,6 +14,8 @@
 
 namespace hyalite::render {
 
+struct Device;
+
 struct Progress {
     std::uint32_t passes = 0;            // done
     std::uint32_t ofPasses = 0;          // asked for
@@ -21,11 +24,14 @@ struct Progress {
 };
 
 struct RenderOptions {
-    bool profile = false; // time every stage
-    double timeLimit = 0; // start no pass that would probably end later than this [s]; 0: no limit
+    bool profile = false;        // time every stage
+    std::uint32_t firstPass = 0; // its number
+    double timeLimit = 0;        // start no pass that would probably end later than this [s]; 0: no limit
     std::function<void(const Progress&)> onPass; // after every pass
-    std::filesystem::path savePhotons;           // photonmap: write the photon maps here; empty: do not
-    std::filesystem::path loadPhotons;           // photonmap: read them from here instead of tracing them
+    // Once, before the first pass: may have the device's commands observed
+    std::function<void(Device&, const DeviceScene&)> onUpload;
+    std::filesystem::path savePhotons; // photonmap: write the photon maps here; empty: do not
+    std::filesystem::path loadPhotons; // photonmap: read them from here instead of tracing them
 };
 
 struct RenderResult {

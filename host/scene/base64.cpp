@@ -9,8 +9,9 @@ namespace {
 
 constexpr std::uint8_t kInvalid = 64;
 
+constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
 constexpr std::array<std::uint8_t, 256> kDigits = [] {
-    constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::array<std::uint8_t, 256> digits{};
     digits.fill(kInvalid);
     for (std::size_t i = 0; i < kAlphabet.size(); ++i) {
@@ -47,6 +48,21 @@ std::optional<std::string> decodeBase64(std::string_view text) {
         }
     }
     return bytes;
+}
+
+std::string encodeBase64(std::string_view bytes) {
+    std::string text;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::string_view group = bytes.substr(i, 3);
+        std::uint32_t bits = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            bits = bits << 8U | (k < group.size() ? static_cast<unsigned char>(group[k]) : 0U);
+        }
+        for (std::size_t k = 0; k < 4; ++k) {
+            text += k <= group.size() ? kAlphabet[bits >> (18 - 6 * k) & 63U] : '=';
+        }
+    }
+    return text;
 }
 
 } // namespace hyalite

@@ -17,7 +17,7 @@ void main() {
     uint index = pickLight(args.lights, args.lightCount, sampleUnit(s, kPhotonLight).x);
     LightRecord light = args.lights.at[index];
     LightRay ray = emitFrom(light, sampleUnit(s, kPhotonOrigin), sampleUnit(s, kPhotonDirection));
-    args.rays.at[photon] = Ray(ray.origin, kInfinity, ray.direction, 0u);
+    args.rays.at[photon] = Ray(startOf(ray), kInfinity, ray.direction, 0u);
     vec3 power = ray.power / (light.pmf * float(args.count));
     args.paths.at[photon] = PhotonPath(power, photon, index, kPhotonDirect, kNone);
 }

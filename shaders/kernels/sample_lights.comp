@@ -35,7 +35,7 @@ void main() {
         contribution *= powerHeuristic(pmf * toLight.pdfW, max(cosine, 0.0) * kInvPi);
     }
     if (maxComponent(contribution) > 0.0) { // also false when the light is behind the surface or touches it
-        args.shadowRays.at[i] = Ray(x.position, toLight.distance, toLight.direction, x.from);
+        args.shadowRays.at[i] = Ray(x.position, toLight.shadowDistance, toLight.shadowDirection, x.from);
         args.contributions.at[i] = contribution;
     }
 }

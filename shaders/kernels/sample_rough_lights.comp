@@ -27,14 +27,19 @@ void main() {
     LightRecord light = args.lights.at[index];
     float pmf = one ? light.pmf : 1.0;
 
-    vec2 u = sampleUnit(s, cameraLightPoint(vertex));
-    bool through = dot(sampleLight(light, x.position, u).direction, x.geometricNormal) < 0.0;
-    vec3 origin = x.position + (through ? -x.error : x.error) * x.geometricNormal;
-    LightSample toLight = sampleLight(light, origin, u); // the same place of the light
+    LightSample toLight = sampleLight(light, x.position, sampleUnit(s, cameraLightPoint(vertex)));
     BsdfValue value = evaluateLobe(x.lobe, x.normal, x.geometricNormal, x.wo, toLight.direction);
     float weight = toLight.pdfW > 0.0 ? powerHeuristic(pmf * toLight.pdfW, value.pdfW) : 1.0;
     vec3 contribution = x.beta * value.fCos * toLight.irradiance * (weight / pmf);
-    Ray shadow = Ray(origin, toLight.distance, toLight.direction, through ? x.from ^ kRayInside : x.from);
+    bool through = dot(toLight.direction, x.geometricNormal) < 0.0;
+    vec3 off = (through ? -x.error : x.error) * x.geometricNormal;
+    Ray shadow = Ray(x.position + off, toLight.shadowDistance, toLight.shadowDirection,
+                     through ? x.from ^ kRayInside : x.from);
+    if (shadow.tMax < kInfinity) { // to the same place, from where the ray starts
+        vec3 way = shadow.tMax * shadow.direction - off;
+        shadow.tMax = length(way);
+        shadow.direction = way / shadow.tMax;
+    }
     // No contribution: the light is turned away or touches the surface
     if (maxComponent(contribution) > 0.0 && traceScene(args.rootNode, shadow, true).object == kNone) {
         args.direct.at[x.result] += contribution;

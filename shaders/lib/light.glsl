@@ -32,13 +32,14 @@ bool isEndless(uint type) {
 }
 
 struct LightPoint {
-    vec3 position; // moved off the emitting side by what the rounding of its coordinates may be
-    vec3 normal;   // unit; zero of lights without a surface
+    vec3 position;
+    vec3 normal; // unit; zero of lights without a surface
+    float error; // what the rounding of its coordinates may be [m]: rays start so far off the emitting side
 };
 
 LightPoint pointOnSphere(LightRecord light, vec3 normal) {
     float error = kPositionError * (largestCoordinate(light.position) + light.radius);
-    return LightPoint(light.position + (light.radius + error) * normal, normal);
+    return LightPoint(light.position + light.radius * normal, normal, error);
 }
 
 LightPoint pointOnMesh(LightRecord light, vec2 u) {
@@ -47,13 +48,13 @@ LightPoint pointOnMesh(LightRecord light, vec2 u) {
     // The square, shrunk to a corner along one side: its density is uniform if the other side goes as a square root
     float across = sqrt(choice.rest);
     vec3 p = triangle.corner + across * ((1.0 - u.y) * triangle.edge0 + u.y * triangle.edge1);
-    return LightPoint(p + light.error * triangle.normal, triangle.normal);
+    return LightPoint(p, triangle.normal, light.error);
 }
 
 // Evenly distributed over the light's area; the place of a light without a surface.
 LightPoint pointOnLight(LightRecord light, vec2 u) {
     if (!isSurface(light.type)) {
-        return LightPoint(light.position, vec3(0.0));
+        return LightPoint(light.position, vec3(0.0), 0.0);
     }
     if (light.type == kLightSphere) {
         return pointOnSphere(light, uniformSphere(u));
@@ -64,7 +65,7 @@ LightPoint pointOnLight(LightRecord light, vec2 u) {
     vec2 at = light.type == kLightDisk ? concentricDisc(u) : u;
     vec3 p = light.position + at.x * light.edge0 + at.y * light.edge1;
     float error = kPlaneError * dot(abs(light.normal), abs(light.position) + abs(light.edge0) + abs(light.edge1));
-    return LightPoint(p + error * light.normal, light.normal);
+    return LightPoint(p, light.normal, error);
 }
 
 // Of a sphere only the half that faces the receiver: what is turned away cannot light it.
@@ -92,10 +93,11 @@ bool passesDisc(LightRecord light, vec3 point, vec3 direction) {
 
 // One direction from a receiver to a light.
 struct LightSample {
-    vec3 direction;  // unit, towards the light
-    float distance;  // [m]; kInfinity: beyond the scene
-    vec3 irradiance; // on a surface that faces the direction [W/m^2], the direction's density divided out
-    float pdfW;      // that density [1/sr]; 0: there was no choice, and no ray can hit the light
+    vec3 direction;       // unit, towards the light
+    vec3 irradiance;      // on a surface that faces the direction [W/m^2], the direction's density divided out
+    float pdfW;           // that density [1/sr]; 0: there was no choice, and no ray can hit the light
+    vec3 shadowDirection; // unit, to where a shadow ray ends: just off the light
+    float shadowDistance; // [m]; kInfinity: beyond the scene
 };
 
 // Density [1/sr] with which sampleLight chooses the unit `direction` from a receiver that sees the light there, at this
@@ -111,34 +113,37 @@ float lightPdf(LightRecord light, vec3 receiver, vec3 direction, float distance,
 
 LightSample sampleLight(LightRecord light, vec3 receiver, vec2 u) {
     if (light.type == kLightDirectional) {
-        return LightSample(-light.normal, kInfinity, light.emission, 0.0);
+        return LightSample(-light.normal, light.emission, 0.0, -light.normal, kInfinity);
     }
     if (light.type == kLightBeam) {
         float along = dot(receiver - light.position, light.normal);
         bool isLit = along > 0.0 && passesDisc(light, receiver, light.normal);
-        return LightSample(-light.normal, along, isLit ? light.emission : vec3(0.0), 0.0);
+        return LightSample(-light.normal, isLit ? light.emission : vec3(0.0), 0.0, -light.normal, along);
     }
     if (light.type == kLightEnvironment) {
         vec3 direction = sampleEnvironment(light, u);
         vec3 radiance = environmentRadiance(light, direction);
         float pdfW = environmentPdf(light, radiance);
-        return LightSample(direction, kInfinity, pdfW > 0.0 ? radiance / pdfW : vec3(0.0), pdfW);
+        return LightSample(direction, pdfW > 0.0 ? radiance / pdfW : vec3(0.0), pdfW, direction, kInfinity);
     }
     LightPoint point = pointFacing(light, receiver, u);
     vec3 toLight = point.position - receiver;
-    // Where the ray meets the light is also as wrong as roundings of the way there are, however small the light's own
-    // coordinates: end it that much before (a light without a surface has no normal)
-    toLight += (kPlaneError * length(toLight)) * point.normal;
     float distance2 = dot(toLight, toLight);
     float distance = sqrt(distance2);
     vec3 direction = toLight / distance;
+    // Where the ray meets the light is also as wrong as roundings of the way there are, however small the light's own
+    // coordinates: the ray ends that much before
+    vec3 toEnd = toLight + (point.error + kPlaneError * distance) * point.normal;
+    float shadowDistance = length(toEnd);
+    vec3 shadowDirection = toEnd / shadowDistance;
     if (isSurface(light.type)) {
         float cosLight = max(0.0, -dot(direction, point.normal));
-        return LightSample(direction, distance, light.emission * (cosLight * areaFacing(light) / distance2),
-                           lightPdf(light, receiver, direction, distance, point.normal));
+        return LightSample(direction, light.emission * (cosLight * areaFacing(light) / distance2),
+                           lightPdf(light, receiver, direction, distance, point.normal), shadowDirection,
+                           shadowDistance);
     }
     float share = light.type == kLightSpot ? spotFalloff(light, -direction) : 1.0;
-    return LightSample(direction, distance, light.emission * (share / distance2), 0.0);
+    return LightSample(direction, light.emission * (share / distance2), 0.0, shadowDirection, shadowDistance);
 }
 
 // ---- From the light into the scene
@@ -146,9 +151,10 @@ LightSample sampleLight(LightRecord light, vec3 receiver, vec2 u) {
 // How a photon leaves a light. The density of the whole ray is that of the origin times that of the direction given the
 // origin; where light is parallel or comes from beyond the scene, of the direction times that of the origin.
 struct LightRay {
-    vec3 origin;        // world [m]
+    vec3 origin;        // world, on the light [m]
     vec3 direction;     // unit
     vec3 normal;        // unit, of the light at the origin; zero where it has no surface
+    float error;        // along the normal: the ray starts so far off the light [m]
     vec3 power;         // flux [W] of the light if all its photons were like this one
     float pdfDirection; // [1/sr], given the origin; 0: the origin was chosen for the direction
     float pdfOrigin;    // [1/m^2] across the direction and given it; 0: the direction was chosen for the origin
@@ -182,6 +188,11 @@ float emissionDensity(LightRecord light, vec3 normal, vec3 direction) {
     }
 }
 
+// Where a ray of the light's starts [m].
+vec3 startOf(LightRay ray) {
+    return ray.origin + ray.error * ray.normal;
+}
+
 // Density [1/m^2], across `direction`, with which emitFrom starts its rays of this direction on the line through
 // `point`; 0 for lights that choose the origin first. Of parallel light the direction must be its own.
 float originDensity(LightRecord light, vec3 point, vec3 direction) {
@@ -192,7 +203,7 @@ float originDensity(LightRecord light, vec3 point, vec3 direction) {
 // From a disc across the direction that covers all the light is to reach.
 LightRay emitFromDisc(LightRecord light, vec3 direction, vec2 u) {
     vec3 onDisc = fromLocal(vec3(light.radius * concentricDisc(u), 0.0), direction);
-    return LightRay(light.position - light.distance * direction + onDisc, direction, vec3(0.0),
+    return LightRay(light.position - light.distance * direction + onDisc, direction, vec3(0.0), 0.0,
                     rayPower(light, direction), 0.0, 1.0 / light.area);
 }
 
@@ -208,7 +219,7 @@ LightRay emitFrom(LightRecord light, vec2 uOrigin, vec2 uDirection) {
     vec3 direction = light.type == kLightPoint  ? uniformSphere(uDirection)
                      : light.type == kLightSpot ? sampleSpot(light, uDirection)
                                                 : cosineHemisphere(uDirection, point.normal);
-    return LightRay(point.position, direction, point.normal, light.power,
+    return LightRay(point.position, direction, point.normal, point.error, light.power,
                     emissionDensity(light, point.normal, direction), 0.0);
 }
 #endif

@@ -58,6 +58,43 @@ TEST_CASE("every thread index comes exactly once, whatever the number of groups 
     }
 }
 
+TEST_CASE("an observer finds the buffers that a kernel is given, before and after", "[commands]") {
+    struct Observer : gpu::DispatchObserver {
+        std::vector<std::uint32_t> seen; // the first value, before and after each dispatch
+        std::uint64_t addressOf(const gpu::Dispatch& dispatch) const {
+            ValuesArguments arguments{};
+            std::memcpy(&arguments, dispatch.arguments.data(), sizeof(arguments));
+            return arguments.values;
+        }
+        void see(const gpu::Dispatch& dispatch) {
+            const auto memory = Gpu::shared().context().memoryAt(addressOf(dispatch));
+            REQUIRE(memory.size() == 100 * sizeof(std::uint32_t));
+            seen.emplace_back();
+            std::memcpy(&seen.back(), memory.data(), sizeof(std::uint32_t));
+        }
+        void before(const gpu::Dispatch& dispatch) override { see(dispatch); }
+        void after(const gpu::Dispatch& dispatch) override { see(dispatch); }
+    };
+    const Kernel kernel = valuesKernel("count_observed", kCount);
+    Observer observer;
+    Commands commands(Gpu::shared().context(), Gpu::shared().tables());
+    std::uint64_t address = 0;
+    {
+        const Array<std::uint32_t> values = zeros(100);
+        address = values.buffer().address();
+        commands.run(kernel, ValuesArguments{address, 100}, 100); // seen by nobody
+        commands.observe(&observer);
+        commands.run(kernel, ValuesArguments{address, 100}, 100);
+        commands.run(kernel, ValuesArguments{address, 100}, 100);
+        commands.observe(nullptr);
+        commands.run(kernel, ValuesArguments{address, 100}, 100);
+        commands.finish();
+        CHECK(observer.seen == std::vector<std::uint32_t>{1, 2, 2, 3});
+        CHECK(Gpu::shared().context().memoryAt(address + 4).size() == 99 * sizeof(std::uint32_t));
+    }
+    CHECK(Gpu::shared().context().memoryAt(address).empty()); // the buffer is gone
+}
+
 TEST_CASE("a kernel sees all that the ones before it wrote", "[commands]") {
     // Each run adds the left neighbour, on a ring, of what the run before wrote: after n runs of x <- x + left(x) that
     // start from ones, every value is 2^n. Two arrays take turns.

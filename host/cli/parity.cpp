@@ -1,0 +1,177 @@
+// `hyalite parity`: does the device compute what the reference computes, and if not, where do they part? `hyalite
+// inspect`: one path on both sides.
+#include "parity/parity.h"
+#include "base/output_file.h"
+#include "cli/command.h"
+#include "cli/machine.h"
+#include "cli/parity_report.h"
+#include "cli/scene_settings.h"
+#include "cli/shader_folder.h"
+#include "gpu/self_test.h"
+#include "parity/report.h"
+#include "scene/load_scene.h"
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <iostream>
+#include <memory>
+
+namespace hyalite::cli {
+
+namespace {
+
+// What both commands are asked.
+struct Sought {
+    std::string scene;
+    std::string device;
+    std::string shaders;
+    bool fullSize = false;
+    bool testSize = false;
+    std::vector<SceneSetting> shorthands{
+        {"--integrator", "render.integrator", {}}, {"--resolution", "camera.resolution", {}},
+        {"--passes", "render.passes", {}},         {"--photons", "render.photons", {}},
+        {"--max-depth", "render.max_depth", {}},   {"--seed", "render.seed", {}}};
+    std::vector<std::string> settings;
+};
+
+struct ParityCommand : Sought {
+    std::vector<std::string> stages;
+    std::string report; // folder; empty: none
+    bool json = false;
+};
+
+struct InspectCommand : Sought {
+    std::optional<std::array<std::uint32_t, 2>> pixel;
+    std::optional<std::uint32_t> photon;
+    std::uint32_t pass = 0;
+};
+
+void addSought(CLI::App& sub, Sought& sought) {
+    sub.add_option("SCENE", sought.scene, "scene file (YAML)")->required();
+    const auto shorthand = [&](std::size_t index, const std::string& text) {
+        SceneSetting& setting = sought.shorthands[index];
+        sub.add_option(setting.option, setting.value, text);
+    };
+    shorthand(0, "ppm, photonmap, whitted or path");
+    shorthand(1, "picture size, WIDTHxHEIGHT");
+    shorthand(2, "passes, each one sample per pixel");
+    shorthand(3, "photons emitted per pass");
+    shorthand(4, "longest path in segments; whitted: reflections and refractions in a row");
+    shorthand(5, "seed of the random numbers");
+    sub.add_option("--set", sought.settings, "set a key of the scene file, e.g. --set render.radius=0.01");
+    sub.add_option("--device", sought.device, "part of a device's name, or its number (see hyalite doctor)");
+    sub.add_option("--shaders", sought.shaders, "folder of shaders to use instead of the installed ones");
+}
+
+Scene loadSought(const Sought& sought, bool atTestSize) {
+    Scene scene = loadScene(sought.scene);
+    if (atTestSize) {
+        parity::shrinkToTestSize(scene);
+    }
+    applySettings(scene, allSettings(sought.shorthands, sought.settings));
+    return scene;
+}
+
+gpu::Context openDevice(const Sought& sought) {
+    gpu::ContextOptions options;
+    options.device = sought.device;
+    return gpu::Context(options);
+}
+
+// What to type to see the same again.
+std::string commandLine(const ParityCommand& command) {
+    std::string line = "hyalite parity " + command.scene;
+    for (const SceneSetting& setting : command.shorthands) {
+        line += setting.value ? ' ' + setting.option + ' ' + *setting.value : "";
+    }
+    for (const std::string& setting : command.settings) {
+        line += " --set " + setting;
+    }
+    return line + (command.fullSize ? " --full" : "");
+}
+
+void runParity(const ParityCommand& command, ExitCode& exit) {
+    const Scene scene = loadSought(command, !command.fullSize);
+    const std::filesystem::path page = std::filesystem::path(command.report) / "parity.html";
+    if (!command.report.empty()) {
+        std::error_code ignored; // checkWritable says what is wrong
+        std::filesystem::create_directories(command.report, ignored);
+        checkWritable(page);
+    }
+    const gpu::Context context = openDevice(command);
+    const gpu::ShaderCompiler compiler(findShaders(command.shaders), cacheFolder());
+    gpu::selfTest(context, compiler);
+    const parity::Result result =
+        parity::compareSides(context, compiler, scene, {.stages = {command.stages.begin(), command.stages.end()}});
+    const parity::Circumstances circumstances{command.scene, commandLine(command), describeMachine(context)};
+    if (!command.report.empty()) {
+        const std::string html = parity::toHtml(result, scene, circumstances);
+        writeFileAtomically(page, std::as_bytes(std::span(html)));
+    }
+    if (command.json) {
+        std::cout << parity::toJson(result, circumstances) << '\n';
+    } else {
+        std::cout << parityTable(result, scene) << parity::verdict(result) << '\n';
+        if (!command.report.empty()) {
+            std::cout << std::filesystem::absolute(page).lexically_normal().string() << '\n';
+        }
+    }
+    if (!result.passed()) {
+        exit = ExitCode::ComparisonFailed;
+    }
+}
+
+void runInspect(const InspectCommand& command) {
+    if (command.pixel.has_value() == command.photon.has_value()) {
+        throw Error(ExitCode::WrongUsage, "inspect looks at one pixel or one photon", "give --pixel X,Y or --photon N");
+    }
+    const Scene scene = loadSought(command, command.testSize);
+    std::optional<std::uint32_t> pixel;
+    if (command.pixel) {
+        const glm::uvec2& resolution = scene.camera.resolution;
+        const auto& [x, y] = *command.pixel;
+        if (x >= resolution.x || y >= resolution.y) {
+            throw Error(ExitCode::WrongUsage, "pixel " + std::to_string(x) + ',' + std::to_string(y) +
+                                                  " is not in a picture of " + std::to_string(resolution.x) + " x " +
+                                                  std::to_string(resolution.y));
+        }
+        pixel = y * resolution.x + x;
+    }
+    const gpu::Context context = openDevice(command);
+    const gpu::ShaderCompiler compiler(findShaders(command.shaders), cacheFolder());
+    gpu::selfTest(context, compiler);
+    std::cout << pathTable(parity::inspectPath(context, compiler, scene, command.pass, pixel, command.photon), scene);
+}
+
+} // namespace
+
+void addParity(CLI::App& app, ExitCode& exit) {
+    const auto command = std::make_shared<ParityCommand>();
+    CLI::App* sub =
+        app.add_subcommand("parity", "compare every stage on the device with the double-precision reference");
+    sub->footer("Unless --full is given: at most 64 pixels a side, 2 passes, 8192 photons; --resolution, --passes and "
+                "--photons ask for more.");
+    addSought(*sub, *command);
+    sub->add_option("--stages", command->stages, "compare these kernels alone, e.g. trace_closest,shade_surface")
+        ->delimiter(',');
+    sub->add_option("--report", command->report, "write a report to look at, parity.html, into this folder")
+        ->type_name("DIR");
+    sub->add_flag("--full", command->fullSize, "compare at the scene's own size, however long that takes");
+    sub->add_flag("--json", command->json, "print one JSON object instead of text");
+    sub->callback([command, &exit] { runParity(*command, exit); });
+}
+
+void addInspect(CLI::App& app) {
+    const auto command = std::make_shared<InspectCommand>();
+    CLI::App* sub = app.add_subcommand("inspect", "show the path of a pixel or a photon on both sides");
+    addSought(*sub, *command);
+    sub->add_option("--pixel", command->pixel, "the pixel, counted from the upper left")
+        ->delimiter(',')
+        ->type_name("X,Y");
+    sub->add_option("--photon", command->photon, "the photon's number in the pass")->type_name("N");
+    sub->add_option("--pass", command->pass, "the pass, counted from 0")->type_name("N");
+    sub->add_flag("--test-size", command->testSize, "at the size that hyalite parity compares at");
+    sub->callback([command] { runInspect(*command); });
+}
+
+} // namespace hyalite::cli

@@ -1,0 +1,59 @@
+// Inputs moved by a few roundings: what the twin says of them tells whether a difference is one of rounding.
+#pragma once
+
+#include "parity/tolerance.h"
+
+#include "shaders/shared/random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/glm.hpp>
+
+namespace hyalite::parity {
+
+// Inputs nearby that the twin is asked about where the two sides differ; and so many more, where it takes long to meet
+// the same sliver of a triangle again.
+inline constexpr std::uint32_t kNudges = 48;
+inline constexpr std::uint32_t kMoreNudges = 480;
+
+[[nodiscard]] inline double largestComponent(const glm::dvec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+class Nudge {
+public:
+    // Number 0 moves nothing; 1 … kNudges move by different amounts, up to kNudge roundings.
+    explicit Nudge(std::uint32_t number) : number_(number) {
+        const double sizes[] = {kNudge / 8, kNudge / 2, kNudge};
+        reach_ = number == 0 ? 0 : 0x1p-24 * sizes[number % 3];
+    }
+
+    [[nodiscard]] bool movesNothing() const { return number_ == 0; }
+
+    // `scale`: the largest coordinate that the point was computed from.
+    [[nodiscard]] glm::dvec3 point(const glm::dvec3& p, double scale) {
+        return p + (reach_ * std::max(scale, largestComponent(p))) * random();
+    }
+    [[nodiscard]] glm::dvec3 direction(const glm::dvec3& d) { return glm::normalize(d + reach_ * random()); }
+    // What is added to random numbers in [0, 1): device and twin hold the thresholds they are compared with as float
+    // and as double.
+    [[nodiscard]] double shift() { return reach_ * random().x; }
+    [[nodiscard]] double number(double x) { return x * (1 + reach_ * random().x); }
+
+private:
+    // Evenly in the cube [-1, 1]^3, another one each time.
+    [[nodiscard]] glm::dvec3 random() {
+        glm::dvec3 v;
+        for (int i = 0; i < 3; ++i) {
+            v[i] = shared::hashCombine(number_, ++drawn_) * 0x1p-31 - 1;
+        }
+        return v;
+    }
+
+    std::uint32_t number_;
+    std::uint32_t drawn_ = 0;
+    double reach_;
+};
+
+} // namespace hyalite::parity

@@ -1,0 +1,62 @@
+// One dispatch as it was seen: its arguments, and the memory they name before and after.
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/dispatch_observer.h"
+
+#include <cstring>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace hyalite::parity {
+
+class Observed {
+public:
+    // Copies all buffers that the arguments name. To be made before the dispatch.
+    Observed(const gpu::Context& context, const gpu::TexelTables& tables, const gpu::Dispatch& dispatch);
+
+    [[nodiscard]] const std::string& kernel() const { return kernel_; }
+
+    template <class Arguments>
+    [[nodiscard]] Arguments arguments() const {
+        Arguments arguments;
+        std::memcpy(&arguments, arguments_.data(), sizeof(arguments));
+        return arguments;
+    }
+
+    // `count` elements of a device array, as they were before the dispatch.
+    template <class T, class DeviceArray>
+    [[nodiscard]] std::span<const T> before(const DeviceArray& array, std::size_t count) const {
+        return typed<T>(copyAt(array.address), count);
+    }
+    // … and as they are now.
+    template <class T, class DeviceArray>
+    [[nodiscard]] std::span<const T> after(const DeviceArray& array, std::size_t count) const {
+        return typed<T>(context_.memoryAt(array.address), count);
+    }
+    // A table of texels, from element `first` on.
+    template <class T>
+    [[nodiscard]] std::span<const T> table(std::uint32_t binding, std::size_t first, std::size_t count) const {
+        const auto bytes = context_.memoryAt(tables_.shown(binding));
+        return first * sizeof(T) <= bytes.size() ? typed<T>(bytes.subspan(first * sizeof(T)), count)
+                                                 : std::span<const T>();
+    }
+
+private:
+    [[nodiscard]] std::span<const std::byte> copyAt(std::uint64_t address) const;
+    // No more elements than there are bytes.
+    template <class T>
+    [[nodiscard]] static std::span<const T> typed(std::span<const std::byte> bytes, std::size_t count) {
+        return {reinterpret_cast<const T*>(bytes.data()), std::min(count, bytes.size() / sizeof(T))};
+    }
+
+    const gpu::Context& context_;
+    const gpu::TexelTables& tables_;
+    std::string kernel_;
+    std::vector<std::byte> arguments_;
+    std::map<std::uint64_t, std::vector<std::byte>> copies_; // by address
+};
+
+} // namespace hyalite::parity

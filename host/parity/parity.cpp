@@ -1,0 +1,125 @@
+#include "parity/parity.h"
+
+#include "image/flip.h"
+#include "image/metrics.h"
+#include "parity/capture.h"
+#include "reference/render.h"
+#include "render/device.h"
+#include "render/renderer.h"
+#include "scene/render_seed.h"
+
+#include <algorithm>
+
+namespace hyalite::parity {
+
+namespace {
+
+constexpr std::uint32_t kTestSide = 64;
+constexpr std::uint32_t kTestPasses = 2;
+constexpr std::uint32_t kTestPhotons = 8192;
+
+constexpr std::uint32_t kMostShown = 128 * 128; // paths that a page has room for
+
+PictureResult comparePictures(Image device, Image twin) {
+    const Crop whole = wholeOf(twin);
+    PictureResult result;
+    result.rmse = rmse(device, twin, whole);
+    result.relMse = relMse(device, twin, whole);
+    result.flipMap = flipMap(device, twin);
+    result.flip = mean(result.flipMap, whole);
+    result.shareWithin = shareWithin(device, twin, kPictureTolerance, whole);
+    result.device = std::move(device);
+    result.twin = std::move(twin);
+    return result;
+}
+
+} // namespace
+
+bool PictureResult::passed() const {
+    return shareWithin >= kPictureShare;
+}
+
+bool Result::passed() const {
+    return std::ranges::all_of(stages, &StageResult::passed) &&
+           (!paths || (paths->camera.passed() && paths->photons.passed())) && (!picture || picture->passed());
+}
+
+const StageResult* Result::firstFailure() const {
+    const StageResult* first = nullptr;
+    for (const StageResult& stage : stages) {
+        if (!stage.passed() && (first == nullptr || stage.failureOrder() < first->failureOrder())) {
+            first = &stage;
+        }
+    }
+    return first;
+}
+
+Result compareSides(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const Scene& scene,
+                    const Options& options) {
+    std::optional<Sides> sides;
+    std::optional<Capture> capture;
+    render::RenderOptions renderOptions;
+    renderOptions.onUpload = [&](render::Device& device, const render::DeviceScene& deviceScene) {
+        sides.emplace(scene, deviceScene);
+        capture.emplace(context, device.tables, *sides, options.stages);
+        device.commands.observe(&*capture);
+    };
+    render::RenderResult rendered = render::render(context, compiler, scene, renderOptions);
+    Result result;
+    result.stages = capture->finish();
+    if (options.stages.empty()) {
+        result.paths = comparePaths(*sides, capture->recorder());
+        const std::uint32_t pixels = scene.camera.resolution.x * scene.camera.resolution.y;
+        for (std::uint32_t pixel = 0; pixels <= kMostShown && pixel < pixels; ++pixel) {
+            result.shown.push_back(pathOf(*sides, capture->recorder(), {false, 0, pixel}));
+        }
+        result.picture = comparePictures(std::move(rendered.image.picture), reference::render(scene).picture);
+    }
+    return result;
+}
+
+RecordedPath inspectPath(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const Scene& scene,
+                         std::uint32_t pass, std::optional<std::uint32_t> pixel, std::optional<std::uint32_t> photon) {
+    Scene one = scene;
+    one.render.passes = 1;
+    std::optional<Sides> sides;
+    std::optional<Capture> capture;
+    render::RenderOptions renderOptions;
+    renderOptions.firstPass = pass;
+    renderOptions.onUpload = [&](render::Device& device, const render::DeviceScene& deviceScene) {
+        sides.emplace(one, deviceScene);
+        capture.emplace(context, device.tables, *sides, std::set<std::string>{"nothing"});
+        device.commands.observe(&*capture);
+    };
+    static_cast<void>(render::render(context, compiler, one, renderOptions));
+    if (pixel) {
+        return pathOf(*sides, capture->recorder(), {false, pass, *pixel});
+    }
+    const auto& passes = capture->recorder().photonPasses();
+    if (passes.empty()) {
+        throw Error(ExitCode::WrongUsage, "this integrator sends no photons", "ask for a pixel with --pixel X,Y");
+    }
+    // The photons of the first purpose: of the global map
+    const std::uint32_t sequence = shared::photonSequence(renderSeed(one.render), shared::kGlobalPhotons,
+                                                          one.render.integrator == Integrator::PhotonMap ? 0 : pass);
+    const auto found = passes.contains(sequence) ? passes.find(sequence) : passes.begin();
+    if (*photon >= found->second.pass.count) {
+        throw Error(ExitCode::WrongUsage, "there is no photon " + std::to_string(*photon) + " among " +
+                                              std::to_string(found->second.pass.count));
+    }
+    return pathOf(*sides, capture->recorder(), {true, found->first, *photon});
+}
+
+void shrinkToTestSize(Scene& scene) {
+    glm::uvec2& resolution = scene.camera.resolution;
+    const std::uint32_t side = std::max(resolution.x, resolution.y);
+    if (side > kTestSide) {
+        resolution = glm::max(glm::uvec2(1), (resolution * kTestSide + side / 2) / side);
+    }
+    RenderSettings& render = scene.render;
+    render.passes = std::min(render.passes, kTestPasses);
+    render.photons = std::min(render.photons, kTestPhotons);
+    render.photonMap.causticPhotons = std::min(render.photonMap.causticPhotons, kTestPhotons);
+}
+
+} // namespace hyalite::parity

@@ -1,0 +1,145 @@
+#include "parity/path_comparison.h"
+
+#include "parity/hull.h"
+#include "parity/nudge.h"
+#include "parity/step_comparison.h"
+
+#include <algorithm>
+
+namespace hyalite::parity {
+
+namespace {
+
+constexpr std::size_t kWorstKept = 32; // of each kind of path
+
+double relativeTo(const glm::dvec3& a, const glm::dvec3& b, double scale) {
+    return largestComponent(a - b) / std::max({scale, largestComponent(b), 1e-30});
+}
+
+// What differs at a vertex first, in the order in which a path is computed; empty: nothing.
+std::string differenceAt(const Sides& sides, const Vertex& device, const Vertex& twin) {
+    if (device.object != twin.object) {
+        return "object";
+    }
+    if (relativeTo(device.position, twin.position, sides.scale()) > kPathTolerance) {
+        return "position";
+    }
+    if (device.medium != twin.medium) {
+        return "medium";
+    }
+    if (relativeTo(device.weight, twin.weight, 0) > kPathTolerance) {
+        return "weight";
+    }
+    return device.choice != twin.choice ? "choice" : "";
+}
+
+void keep(PathResult& result, RecordedPath path) {
+    const auto rank = [](const RecordedPath& p) { return std::pair(!p.cause.empty(), p.differsAt); };
+    result.worst.insert(std::ranges::upper_bound(result.worst, rank(path), {}, rank), std::move(path));
+    if (result.worst.size() > kWorstKept) {
+        result.worst.pop_back();
+    }
+}
+
+// Where two paths part first, each followed from its start.
+struct Difference {
+    std::uint32_t depth = 0;
+    std::string what;
+};
+
+std::optional<Difference> differenceOf(const Sides& sides, const std::vector<DeviceVertex>& device,
+                                       const std::vector<Vertex>& twin) {
+    for (const Vertex& expected : twin) {
+        const auto isSame = [&](const Vertex& v) { return v.seed == expected.seed && v.depth == expected.depth; };
+        const auto found = std::ranges::find_if(device, isSame);
+        // A vertex that is missing follows from a choice before it
+        const std::string what = found == device.end() ? "choice" : differenceAt(sides, *found, expected);
+        if (!what.empty()) {
+            return Difference{expected.depth, what};
+        }
+    }
+    if (device.size() > twin.size()) {
+        return Difference{device.back().depth, "choice"};
+    }
+    return std::nullopt;
+}
+
+// Do both sides send out the same ray, or one that a few roundings of the random numbers explain?
+bool startsAlike(const Sides& sides, const PathKey& key, const reference::PhotonPass& pass, const Vertex& device) {
+    Hull origin;
+    Hull direction;
+    Hull weight;
+    for (std::uint32_t n = 0; n <= kNudges; ++n) {
+        const PathState twin = firstState(sides, key, pass, Nudge(n));
+        origin.add(twin.ray.origin);
+        direction.add(twin.ray.direction);
+        weight.add(key.isPhoton ? twin.photon.power : twin.camera.beta);
+    }
+    return origin.holds(device.from, kPathTolerance * sides.scale()) &&
+           direction.holds(device.direction, kPathTolerance) &&
+           weight.holds(device.weight, kPathTolerance * largestComponent(weight.high()));
+}
+
+// See RecordedPath.
+std::string causeOf(const Sides& sides, const PathKey& key, const reference::PhotonPass& pass,
+                    const std::vector<DeviceVertex>& device) {
+    if (device.empty() || !startsAlike(sides, key, pass, device.front())) {
+        return "";
+    }
+    for (const DeviceVertex& vertex : device) {
+        if (auto cause = causeOfDifference(sides, key, pass, device, vertex)) {
+            return *std::move(cause);
+        }
+    }
+    return kGrown;
+}
+
+} // namespace
+
+std::uint64_t PathResult::unexplained() const {
+    const auto found = causes.find("");
+    return found == causes.end() ? 0 : found->second;
+}
+
+std::uint64_t PathResult::agreeStepwise() const {
+    const auto grown = causes.find(kGrown);
+    return agree + (grown == causes.end() ? 0 : grown->second);
+}
+
+RecordedPath pathOf(const Sides& sides, const PathRecorder& recorder, const PathKey& key) {
+    RecordedPath path{.key = key, .device = {}, .twin = {}, .differsAt = 0, .what = {}, .cause = {}};
+    const auto found = recorder.paths().find(key);
+    if (found != recorder.paths().end()) {
+        path.device = found->second;
+    }
+    const auto pass = key.isPhoton ? recorder.photonPasses().at(key.sequence).pass : reference::PhotonPass{};
+    path.twin = twinPath(sides, key, pass);
+    if (const auto difference = differenceOf(sides, path.device, path.twin)) {
+        path.differsAt = difference->depth;
+        path.what = difference->what;
+        path.cause = causeOf(sides, key, pass, path.device);
+    }
+    return path;
+}
+
+PathResults comparePaths(const Sides& sides, const PathRecorder& recorder) {
+    PathResults results;
+    for (const auto& [key, vertices] : recorder.paths()) {
+        RecordedPath path = pathOf(sides, recorder, key);
+        PathResult& result = key.isPhoton ? results.photons : results.camera;
+        ++result.compared;
+        result.vertices += path.twin.size();
+        const auto isStored = [](const Vertex& vertex) { return (vertex.choice & kStored) != 0; };
+        result.storedOnDevice += static_cast<std::uint64_t>(std::ranges::count_if(path.device, isStored));
+        result.storedByTwin += static_cast<std::uint64_t>(std::ranges::count_if(path.twin, isStored));
+        if (path.differsAt == 0) {
+            ++result.agree;
+        } else {
+            ++result.causes[path.cause];
+            keep(result, std::move(path));
+        }
+    }
+    return results;
+}
+
+} // namespace hyalite::parity

@@ -1,0 +1,48 @@
+// Writes down the paths that the device follows, vertex by vertex.
+#pragma once
+
+#include "parity/observed.h"
+#include "parity/sides.h"
+#include "parity/vertex.h"
+
+#include <map>
+#include <set>
+#include <vector>
+
+namespace hyalite::parity {
+
+// How the photons of a sequence were emitted.
+struct RecordedPass {
+    reference::PhotonPass pass;
+    std::uint32_t maxDepth = 0;
+};
+
+// Paths are written down of so many passes, and of the photons of so many sequences: those of more fill the memory.
+inline constexpr std::uint32_t kRecordedPasses = 4;
+
+class PathRecorder {
+public:
+    // A reference is kept.
+    explicit PathRecorder(const Sides& sides) : sides_(sides) {}
+
+    // Notes what a dispatch that has just run says of paths.
+    void see(const Observed& dispatch);
+
+    // Vertices in the order of their depth, those of equal depth in the order of the queue.
+    [[nodiscard]] const std::map<PathKey, std::vector<DeviceVertex>>& paths() const { return paths_; }
+    [[nodiscard]] const std::map<std::uint32_t, RecordedPass>& photonPasses() const { return photonPasses_; }
+
+private:
+    void seeShading(const Observed& dispatch);
+    void seeBounces(const Observed& dispatch);
+    void seeEmission(const Observed& dispatch);
+    void seeScattering(const Observed& dispatch);
+
+    const Sides& sides_;
+    bool fromCamera_ = false;        // the camera queue holds paths that begin at the camera
+    std::uint32_t cameraPasses_ = 0; // begun
+    std::map<PathKey, std::vector<DeviceVertex>> paths_;
+    std::map<std::uint32_t, RecordedPass> photonPasses_;
+};
+
+} // namespace hyalite::parity

@@ -1,0 +1,198 @@
+#include "parity/sides.h"
+
+#include "parity/nudge.h"
+
+#include "shaders/shared/limits.h"
+#include "shaders/shared/scene_records.h"
+
+namespace hyalite::parity {
+
+namespace {
+
+using glm::dvec3;
+
+// A ray that leaves an object starts this close to its surface [scale of the scene]: the bound on positions of curved
+// shapes, 2^-20, and as much again where the ray meets them.
+constexpr double kOnSurface = 0x1p-18;
+
+double scaleOf(const Scene& scene, const reference::World& world) {
+    double scale = largestComponent(scene.camera.position);
+    for (std::size_t i = 0; i < world.bounded.size(); ++i) {
+        const Bounds bounds = worldBounds(scene, scene.objects[world.bounded[i]]);
+        scale = std::max({scale, largestComponent(bounds.low), largestComponent(bounds.high)});
+    }
+    return scale;
+}
+
+// What the kernel's lobe says, as a material that says the same.
+MaterialModel modelOf(const shared::Lobe& lobe) {
+    switch (lobe.type) {
+    case shared::kMaterialDielectric:
+        return Dielectric{.ior = 1 / double{lobe.eta}, .roughness = 1}; // ior: not asked for again
+    case shared::kMaterialConductor:
+        return Conductor{dvec3(lobe.color), dvec3(lobe.extinction), 1};
+    case shared::kMaterialMirror:
+        return Mirror{dvec3(lobe.color)};
+    default:
+        return MetallicRoughness{dvec3(lobe.color), 1, 1}; // all metal: F0 is the base colour
+    }
+}
+
+} // namespace
+
+dvec3 unpackDirection(std::uint32_t packed, std::uint32_t bits) {
+    const std::uint32_t mask = (1U << bits) - 1U;
+    const auto coordinate = [&](std::uint32_t v) { return double(v & mask) / mask * 2 - 1; };
+    dvec3 v(coordinate(packed), coordinate(packed >> bits), 0);
+    v.z = 1 - std::abs(v.x) - std::abs(v.y);
+    if (v.z < 0) {
+        const dvec3 folded = v;
+        v.x = (1 - std::abs(folded.y)) * (folded.x < 0 ? -1 : 1);
+        v.y = (1 - std::abs(folded.x)) * (folded.y < 0 ? -1 : 1);
+    }
+    return v;
+}
+
+Sides::Sides(const Scene& scene, const render::DeviceScene& deviceScene)
+    : scene_(scene), objectOf_(deviceScene.objectOf), leafOf_(deviceScene.leafOf), triangleOf_(deviceScene.triangleOf),
+      world_(reference::prepareWorld(scene)), scale_(scaleOf(scene, world_)) {}
+
+reference::Ray Sides::toTwin(const shared::Ray& ray) const {
+    return {.origin = ray.origin, .direction = glm::normalize(dvec3(ray.direction)), .tMax = double{ray.tMax}};
+}
+
+std::optional<reference::Hit> Sides::toTwin(const shared::Hit& hit) const {
+    if (hit.object >= objectOf_.size()) {
+        return std::nullopt;
+    }
+    reference::Hit twin{.t = hit.t, .object = objectOf_[hit.object], .u = hit.uv.x, .v = hit.uv.y};
+    const Object* object = &scene_.objects[twin.object];
+    if (leafOf_[hit.object] != shared::kNone) {
+        twin.leaf = leafOf_[hit.object];
+        object = &scene_.csgLeaves[twin.leaf];
+    }
+    const std::uint32_t primitive = hit.primitive & ~shared::kHitEnters;
+    const bool isMesh = std::holds_alternative<MeshInstance>(object->shape);
+    twin.primitive = isMesh ? (primitive < triangleOf_.size() ? triangleOf_[primitive] : shared::kNone) : primitive;
+    return twin;
+}
+
+reference::CameraPath Sides::toTwin(const shared::CameraPath& path) const {
+    return {.beta = dvec3(path.beta),
+            .samplerSeed = path.samplerSeed,
+            .medium = material(path.medium),
+            .pdfW = double{path.pdfW}};
+}
+
+reference::PhotonPath Sides::toTwin(const shared::PhotonPath& path) const {
+    return {.power = dvec3(path.power),
+            .photon = path.photon,
+            .light = path.light,
+            .kind = static_cast<reference::PhotonKind>(path.kind),
+            .medium = material(path.medium)};
+}
+
+reference::VisiblePoint Sides::toTwin(const shared::VisiblePoint& x) const {
+    const std::uint32_t left = (x.from & ~shared::kRayInside) - 1U; // wraps where it is on nothing
+    const bool isObject = left < objectOf_.size() && leafOf_[left] == shared::kNone;
+    return {.position = dvec3(x.position),
+            .shadowOrigin = dvec3(x.position), // the device keeps the point that is moved off the surface alone
+            .normal = dvec3(x.normal),
+            .geometricNormal = glm::normalize(unpackDirection(x.geometricNormal, 16)),
+            .f = dvec3(x.f),
+            .depth = x.depth,
+            .samplerSeed = x.samplerSeed,
+            .coated = x.coat != 0,
+            .quad = isObject ? std::get_if<Quad>(&world_.objects[objectOf_[left]].shape) : nullptr};
+}
+
+reference::RoughPoint Sides::toTwin(const shared::RoughPoint& x) const {
+    reference::RoughPoint twin;
+    twin.surface.position = dvec3(x.position);
+    twin.surface.geometricNormal = glm::normalize(dvec3(x.geometricNormal));
+    twin.surface.normal = glm::normalize(dvec3(x.normal));
+    twin.surface.offset = double{x.error};
+    twin.lobe = {.model = modelOf(x.lobe), .eta = double{x.lobe.eta}, .alpha = double{x.lobe.alpha}};
+    twin.wo = glm::normalize(dvec3(x.wo));
+    twin.beta = dvec3(x.beta);
+    twin.depth = x.depth;
+    twin.samplerSeed = x.samplerSeed;
+    return twin;
+}
+
+reference::Photon Sides::toTwin(const shared::Photon& photon) const {
+    const std::uint32_t kind = photon.surface >> shared::kKindShift & 3U;
+    const bool hasLight = kind == shared::kPhotonDirect || kind == shared::kPhotonShadow;
+    const std::uint32_t length = photon.surface >> shared::kLengthShift;
+    return {.position = dvec3(photon.position),
+            .direction = glm::normalize(unpackDirection(photon.direction, shared::kDirectionBits)),
+            .normal = glm::normalize(unpackDirection(photon.surface, shared::kNormalBits)),
+            .power = dvec3(photon.power),
+            .photon = 0,
+            .depth = hasLight ? 1 : length,
+            .light = hasLight ? length : 0,
+            .kind = static_cast<reference::PhotonKind>(kind)};
+}
+
+const Material* Sides::material(std::uint32_t number) const {
+    return number < world_.materials.size() ? &world_.materials[number] : nullptr;
+}
+
+std::uint32_t Sides::numberOf(const Material* material) const {
+    return material == nullptr ? shared::kNone : static_cast<std::uint32_t>(material - world_.materials.data());
+}
+
+std::optional<reference::Hit> Sides::refined(const reference::Ray& ray, std::uint32_t from,
+                                             const shared::Hit& hit) const {
+    const std::optional<reference::Hit> given = toTwin(hit);
+    if (!given) {
+        return given;
+    }
+    const std::optional<reference::Hit> exact = trace(ray, from);
+    const bool isSame = exact && exact->object == given->object && exact->leaf == given->leaf &&
+                        exact->primitive == given->primitive &&
+                        std::abs(exact->t - given->t) < kOnSurface * std::max(scale_, given->t);
+    reference::Hit refined = *given;
+    refined.t = isSame ? exact->t : given->t;
+    return refined;
+}
+
+std::optional<reference::Hit> Sides::trace(const reference::Ray& ray, std::uint32_t from) const {
+    std::optional<reference::Hit> hit = reference::traceClosest(world_, ray);
+    const std::uint32_t left = (from & ~shared::kRayInside) - 1U; // kNone where it leaves nothing
+    if (!hit || left >= objectOf_.size() || hit->object != objectOf_[left]) {
+        return hit;
+    }
+    // Rays that leave a mesh start beyond the error of its triangles: what they meet they meet
+    if (std::holds_alternative<MeshInstance>(scene_.objects[hit->object].shape)) {
+        return hit;
+    }
+    const double reach = kOnSurface * std::max(scale_, largestComponent(ray.origin));
+    const reference::Surface surface = reference::evaluateSurface(world_, ray, *hit);
+    if (hit->t * std::abs(glm::dot(ray.direction, surface.geometricNormal)) > reach || hit->t > 1024 * reach) {
+        return hit;
+    }
+    // The surface that it leaves: on from just behind it
+    reference::Ray onward = ray;
+    const double passed = hit->t + reach / 1024;
+    onward.origin += passed * ray.direction;
+    onward.tMax -= passed;
+    hit = reference::traceClosest(world_, onward);
+    if (hit) {
+        hit->t += passed;
+    }
+    return hit;
+}
+
+bool Sides::areInOnePlace(const reference::Ray& ray, const std::optional<reference::Hit>& device,
+                          const std::optional<reference::Hit>& twin) const {
+    if (!device || !twin) {
+        return false;
+    }
+    const double reach = kNudge * 0x1p-24 * std::max(scale_, twin->t);
+    const dvec3 place = reference::evaluateSurface(world_, ray, *device).position;
+    return std::abs(device->t - twin->t) <= reach &&
+           glm::length(place - (ray.origin + device->t * ray.direction)) <= reach;
+}
+
+} // namespace hyalite::parity

@@ -1,0 +1,91 @@
+// Prefix sums and the compaction of queues: integers and copies.
+#include "parity/twins.h"
+
+#include "shaders/shared/kernel_arguments.h"
+
+#include <cstring>
+
+namespace hyalite::parity {
+
+namespace {
+
+template <class T>
+bool sameBits(const T& a, const T& b) {
+    return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+
+template <class Path, class Arguments>
+void compareCompaction(const Stage& stage) {
+    const auto args = stage.seen.arguments<Arguments>();
+    const auto alive = stage.seen.before<shared::uint>(args.alive, args.count);
+    const auto offsets = stage.seen.before<shared::uint>(args.offsets, args.count);
+    const auto nextRays = stage.seen.before<shared::Ray>(args.nextRays, args.count);
+    const auto nextPaths = stage.seen.before<Path>(args.nextPaths, args.count);
+    const auto rays = stage.seen.after<shared::Ray>(args.rays, args.count);
+    const auto paths = stage.seen.after<Path>(args.paths, args.count);
+    for (std::size_t i = 0; i < args.count; ++i) {
+        if (alive[i] == 0) {
+            continue;
+        }
+        const std::size_t to = offsets[i];
+        Answer device;
+        device.exact("ray", to < rays.size() && sameBits(rays[to], nextRays[i]) ? 1 : 0);
+        device.exact("path", to < paths.size() && sameBits(paths[to], nextPaths[i]) ? 1 : 0);
+        Answer expected;
+        expected.exact("ray", 1);
+        expected.exact("path", 1);
+        stage.compareExact(i, device, expected);
+    }
+}
+
+} // namespace
+
+void compareSumChunks(const Stage& stage) {
+    const auto args = stage.seen.arguments<shared::SumChunksArguments>();
+    const auto values = stage.seen.before<shared::uint>(args.values, args.count);
+    const std::size_t chunks = (args.count + shared::kScanChunk - 1) / shared::kScanChunk;
+    const auto sums = stage.seen.after<shared::uint>(args.sums, chunks);
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+        std::uint32_t sum = 0;
+        for (const shared::uint value :
+             values.subspan(chunk * shared::kScanChunk,
+                            std::min<std::size_t>(shared::kScanChunk, args.count - chunk * shared::kScanChunk))) {
+            sum += value;
+        }
+        Answer device;
+        device.exact("sum", sums[chunk]);
+        Answer expected;
+        expected.exact("sum", sum);
+        stage.compareExact(chunk, device, expected);
+    }
+}
+
+void compareScanChunks(const Stage& stage) {
+    const auto args = stage.seen.arguments<shared::ScanChunksArguments>();
+    const auto values = stage.seen.before<shared::uint>(args.values, args.count);
+    const std::size_t chunks = (args.count + shared::kScanChunk - 1) / shared::kScanChunk;
+    const auto offsets = stage.seen.before<shared::uint>(args.chunkOffsets, chunks);
+    const auto sums = stage.seen.after<shared::uint>(args.sums, std::size_t{args.count} + 1);
+    std::uint32_t sum = 0;
+    for (std::size_t i = 0; i <= args.count; ++i) {
+        if (i < args.count && i % shared::kScanChunk == 0) {
+            sum = offsets[i / shared::kScanChunk];
+        }
+        Answer device;
+        device.exact("sum", sums[i]);
+        Answer expected;
+        expected.exact("sum", sum);
+        stage.compareExact(i, device, expected);
+        sum += i < args.count ? values[i] : 0;
+    }
+}
+
+void compareCompactCameraPaths(const Stage& stage) {
+    compareCompaction<shared::CameraPath, shared::CompactCameraPathsArguments>(stage);
+}
+
+void compareCompactPhotonPaths(const Stage& stage) {
+    compareCompaction<shared::PhotonPath, shared::CompactPhotonPathsArguments>(stage);
+}
+
+} // namespace hyalite::parity

@@ -1,0 +1,136 @@
+// The judge itself: what it calls equal, apart and failed.
+#include "parity/comparison.h"
+#include "parity/twins.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+namespace hyalite::parity {
+
+namespace {
+
+OffenderInputs noInputs() {
+    return {};
+}
+
+const Tolerance& toleranceOf(std::string_view stage, std::string_view field) {
+    for (const Tolerance& tolerance : tolerancesOf(stage)) {
+        if (tolerance.field == field) {
+            return tolerance;
+        }
+    }
+    throw std::runtime_error("no such field");
+}
+
+// What trace_closest answers.
+Answer hitOf(std::uint64_t object, double t) {
+    Answer answer;
+    answer.exact("object", object);
+    answer.number("t", t);
+    return answer;
+}
+
+} // namespace
+
+TEST_CASE("errors are measured in units in the last place of a float, and relative to their scale") {
+    const auto value = [](const glm::dvec3& v, double scale = 0) {
+        return Answer::Value{.field = "", .exact = 0, .real = v, .scale = scale};
+    };
+    // A float in [4, 8) ends in 2^-21; the error of 3 of them is 3 * 2^-21 / 4 of the value
+    const Tolerance& color = toleranceOf("resolve_film", "color");
+    const FieldError error = errorOf(color, value({4 + 3 * 0x1p-21, 1, 1}), value({4, 1, 1}), 100);
+    CHECK(error.ulp == 3);
+    CHECK(error.relative == 3 * 0x1p-23);
+    // Positions are relative to the scene: 2^-14 of 64, where floats end in 2^-17
+    const Tolerance& t = toleranceOf("trace_closest", "t");
+    const FieldError small = errorOf(t, value({1 + 0x1p-14, 0, 0}), value({1, 0, 0}), 64);
+    CHECK(small.relative == 0x1p-20);
+    CHECK(small.ulp == 8);
+    // A value may bring a scale of its own: 2^-22 of 1, not of 2^-10
+    CHECK(
+        errorOf(color, value(glm::dvec3(0x1p-10 + 0x1p-22, 0, 0)), value(glm::dvec3(0x1p-10, 0, 0), 1), 100).relative ==
+        0x1p-22);
+    // What is not a number is no match of anything else
+    CHECK(std::isinf(errorOf(color, value(glm::dvec3(NAN)), value(glm::dvec3(1)), 1).relative));
+    CHECK(std::isinf(errorOf(color, value(glm::dvec3(INFINITY)), value(glm::dvec3(1)), 1).relative));
+    CHECK(errorOf(color, value(glm::dvec3(INFINITY)), value(glm::dvec3(INFINITY)), 1).relative == 0);
+}
+
+TEST_CASE(
+    "a difference is apart where a move of the input by roundings brings the twin to it, and has failed elsewhere") {
+    // An edge at x = 1: object 1 before it, object 2 behind
+    const auto edge = [](double x) {
+        return [x](Nudge nudge) {
+            const double moved = nudge.point(glm::dvec3(x, 0, 0), 1).x;
+            return hitOf(moved < 1 ? 1 : 2, 5);
+        };
+    };
+    Comparison comparison("trace_closest", 1);
+    CHECK(comparison.compare("", 0, hitOf(1, 5), edge(0.9), noInputs) == Outcome::Matched);
+    CHECK(comparison.compare("", 1, hitOf(2, 5), edge(1 - 0x1p-24), noInputs) == Outcome::Apart);
+    // 2^-16 away, sixteen times as far as any move
+    CHECK(comparison.compare("", 2, hitOf(2, 5), edge(1 - 0x1p-16), noInputs) == Outcome::Failed);
+    const StageResult& result = comparison.result();
+    CHECK(result.elements == 3);
+    CHECK(result.apart == 1);
+    CHECK(result.failed == 1);
+    CHECK_FALSE(result.passed());
+    const FieldResult& object = result.fields.front();
+    REQUIRE(object.offenders.size() == 2);
+    CHECK(object.offenders[0].cause.empty()); // what nothing explains comes first
+    CHECK(object.offenders[1].cause == "edge, silhouette, or surfaces in one place");
+}
+
+TEST_CASE("a number is apart within what roundings of the input make of it, and has failed beyond") {
+    // t = 1000 x: moves of x by up to kNudge 2^-24 move t by 1000 times that
+    const Comparison::Twin steep = [](Nudge nudge) {
+        return hitOf(1, 1000 * nudge.point(glm::dvec3(1e-3, 0, 0), 1).x);
+    };
+    const double reach = 1000 * kNudge * 0x1p-24;
+    REQUIRE(reach > toleranceOf("trace_closest", "t").relative);
+    Comparison comparison("trace_closest", 1);
+    CHECK(comparison.compare("", 0, hitOf(1, 1 + 0x1p-20), steep, noInputs) == Outcome::Matched);
+    CHECK(comparison.compare("", 1, hitOf(1, 1 + reach / 2), steep, noInputs) == Outcome::Apart);
+    // The range found is at most two reaches wide, and is widened by as much on either side: 3 reaches, and 4 beyond it
+    CHECK(comparison.compare("", 2, hitOf(1, 1 + 4 * reach), steep, noInputs) == Outcome::Failed);
+}
+
+TEST_CASE("a stage where roundings decide too often does not pass") {
+    const Comparison::Twin coin = [](Nudge nudge) { return hitOf(nudge.movesNothing() ? 1 : 2, 5); };
+    const Comparison::Twin sure = [](Nudge) { return hitOf(1, 5); };
+    Comparison comparison("trace_closest", 1);
+    for (std::size_t i = 0; i < 100; ++i) { // one in fifty is allowed: two of a hundred, not three
+        const bool isApart = i < 2;
+        static_cast<void>(comparison.compare("", i, hitOf(isApart ? 2 : 1, 5), isApart ? coin : sure, noInputs));
+    }
+    CHECK(comparison.result().passed());
+    static_cast<void>(comparison.compare("", 100, hitOf(2, 5), coin, noInputs));
+    CHECK(comparison.result().apart == 3);
+    CHECK_FALSE(comparison.result().passed());
+}
+
+TEST_CASE("no kernel runs without a twin, and no twin without tolerances that give a reason") {
+    std::set<std::string> kernels;
+    for (const auto& file : std::filesystem::directory_iterator(HYALITE_SOURCE_DIR "/shaders/kernels")) {
+        if (file.path().extension() == ".comp") {
+            kernels.insert(file.path().stem().string());
+        }
+    }
+    REQUIRE(kernels.erase("self_test") == 1);       // its answers are known
+    REQUIRE(kernels.erase("nearest_photons") == 1); // asked by tests alone
+    for (const std::string& kernel : kernels) {
+        INFO(kernel);
+        CHECK(twinOf(kernel) != nullptr);
+        CHECK_FALSE(tolerancesOf(kernel).empty());
+    }
+    for (const Tolerance& tolerance : allTolerances()) {
+        INFO(tolerance.stage << ", " << tolerance.field);
+        CHECK(twinOf(tolerance.stage) != nullptr);
+        CHECK_FALSE(tolerance.reason.empty());
+    }
+}
+
+} // namespace hyalite::parity
