@@ -31,8 +31,7 @@ struct BothSides {
     // Runs one kernel specialised to the scene and waits for it.
     template <class Arguments>
     void run(const std::string& kernel, const Arguments& arguments, std::uint32_t threads) {
-        const gpu::Kernel k = device.kernel(kernel, deviceScene.specialization);
-        device.commands.run(k, arguments, threads);
+        device.commands.run(Gpu::shared().kernel(kernel, deviceScene.specialization), arguments, threads);
         device.commands.finish();
     }
     template <class T>

@@ -21,6 +21,7 @@ Gpu::Gpu() : compiler_(HYALITE_SOURCE_DIR "/shaders", HYALITE_TEST_CACHE) {
 
 // Runs after main, so that what the layers say of the clean-up counts too; Catch2 has given its verdict by then.
 Gpu::~Gpu() {
+    kernels_.clear();
     tables_.reset();
     context_.reset();
     if (messages_ > 0) {
@@ -28,6 +29,15 @@ Gpu::~Gpu() {
         std::fflush(nullptr);
         std::_Exit(EXIT_FAILURE);
     }
+}
+
+const gpu::Kernel& Gpu::kernel(const std::string& name, const gpu::Specialization& specialization) {
+    const auto key = std::pair(name, specialization);
+    auto found = kernels_.find(key);
+    if (found == kernels_.end()) {
+        found = kernels_.emplace(key, gpu::Kernel(*context_, *tables_, compiler_, name, specialization)).first;
+    }
+    return found->second;
 }
 
 Gpu& Gpu::shared() {

@@ -6,7 +6,10 @@
 #include "gpu/shader_compiler.h"
 
 #include <atomic>
+#include <map>
 #include <memory>
+#include <string>
+#include <utility>
 
 namespace hyalite::testing {
 
@@ -24,6 +27,9 @@ public:
     [[nodiscard]] const gpu::ShaderCompiler& compiler() const { return compiler_; }
     // All TABLE_* bindings of shaders/shared/scene_records.h.
     [[nodiscard]] gpu::TexelTables& tables() { return *tables_; }
+    // Made at its first use and kept: what takes longest about a small dispatch is to compile its kernel. Fits any
+    // tables that have all the bindings.
+    [[nodiscard]] const gpu::Kernel& kernel(const std::string& name, const gpu::Specialization& specialization);
 
 private:
     Gpu();
@@ -32,6 +38,7 @@ private:
     std::unique_ptr<gpu::Context> context_;
     gpu::ShaderCompiler compiler_;
     std::unique_ptr<gpu::TexelTables> tables_;
+    std::map<std::pair<std::string, gpu::Specialization>, gpu::Kernel> kernels_;
 };
 
 } // namespace hyalite::testing
