@@ -4,14 +4,14 @@
 #include "base/output_file.h"
 #include "cli/command.h"
 #include "cli/machine.h"
+#include "cli/open_device.h"
 #include "cli/parity_report.h"
 #include "cli/scene_settings.h"
-#include "cli/shader_folder.h"
-#include "gpu/self_test.h"
 #include "parity/report.h"
 #include "scene/load_scene.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <iostream>
 #include <memory>
@@ -23,8 +23,7 @@ namespace {
 // What both commands are asked.
 struct Sought {
     std::string scene;
-    std::string device;
-    std::string shaders;
+    DeviceChoice device;
     bool fullSize = false;
     bool testSize = false;
     std::vector<SceneSetting> shorthands{
@@ -43,6 +42,7 @@ struct ParityCommand : Sought {
 struct InspectCommand : Sought {
     std::optional<std::array<std::uint32_t, 2>> pixel;
     std::optional<std::uint32_t> photon;
+    bool caustic = false;
     std::uint32_t pass = 0;
 };
 
@@ -59,8 +59,7 @@ void addSought(CLI::App& sub, Sought& sought) {
     shorthand(4, "longest path in segments; whitted: reflections and refractions in a row");
     shorthand(5, "seed of the random numbers");
     sub.add_option("--set", sought.settings, "set a key of the scene file, e.g. --set render.radius=0.01");
-    sub.add_option("--device", sought.device, "part of a device's name, or its number (see hyalite doctor)");
-    sub.add_option("--shaders", sought.shaders, "folder of shaders to use instead of the installed ones");
+    addDeviceOptions(sub, sought.device);
 }
 
 Scene loadSought(const Sought& sought, bool atTestSize) {
@@ -72,12 +71,6 @@ Scene loadSought(const Sought& sought, bool atTestSize) {
     return scene;
 }
 
-gpu::Context openDevice(const Sought& sought) {
-    gpu::ContextOptions options;
-    options.device = sought.device;
-    return gpu::Context(options);
-}
-
 // What to type to see the same again.
 std::string commandLine(const ParityCommand& command) {
     std::string line = "hyalite parity " + command.scene;
@@ -87,7 +80,19 @@ std::string commandLine(const ParityCommand& command) {
     for (const std::string& setting : command.settings) {
         line += " --set " + setting;
     }
+    line += command.device.name.empty() ? "" : " --device " + command.device.name;
+    line += command.device.shaders.empty() ? "" : " --shaders " + command.device.shaders;
     return line + (command.fullSize ? " --full" : "");
+}
+
+// A kernel that did not run was not compared.
+void refuseAbsentStages(const std::vector<std::string>& wanted, const parity::Result& result) {
+    for (const std::string& stage : wanted) {
+        if (std::ranges::find(result.stages, stage, &parity::StageResult::name) == result.stages.end()) {
+            throw Error(ExitCode::WrongUsage, "no kernel named '" + stage + "' runs in this render",
+                        "hyalite parity without --stages lists those that do");
+        }
+    }
 }
 
 void runParity(const ParityCommand& command, ExitCode& exit) {
@@ -98,12 +103,12 @@ void runParity(const ParityCommand& command, ExitCode& exit) {
         std::filesystem::create_directories(command.report, ignored);
         checkWritable(page);
     }
-    const gpu::Context context = openDevice(command);
-    const gpu::ShaderCompiler compiler(findShaders(command.shaders), cacheFolder());
-    gpu::selfTest(context, compiler);
-    const parity::Result result =
-        parity::compareSides(context, compiler, scene, {.stages = {command.stages.begin(), command.stages.end()}});
-    const parity::Circumstances circumstances{command.scene, commandLine(command), describeMachine(context)};
+    const OpenDevice device(command.device);
+    const parity::Result result = parity::compareSides(device.context(), device.compiler(), scene,
+                                                       {.stages = {command.stages.begin(), command.stages.end()}});
+    refuseAbsentStages(command.stages, result);
+    device.checkValidation();
+    const parity::Circumstances circumstances{command.scene, commandLine(command), describeMachine(device.context())};
     if (!command.report.empty()) {
         const std::string html = parity::toHtml(result, scene, circumstances);
         writeFileAtomically(page, std::as_bytes(std::span(html)));
@@ -137,10 +142,13 @@ void runInspect(const InspectCommand& command) {
         }
         pixel = y * resolution.x + x;
     }
-    const gpu::Context context = openDevice(command);
-    const gpu::ShaderCompiler compiler(findShaders(command.shaders), cacheFolder());
-    gpu::selfTest(context, compiler);
-    std::cout << pathTable(parity::inspectPath(context, compiler, scene, command.pass, pixel, command.photon), scene);
+    const OpenDevice device(command.device);
+    const parity::RecordedPath path =
+        pixel ? parity::inspectPixel(device.context(), device.compiler(), scene, command.pass, *pixel)
+              : parity::inspectPhoton(device.context(), device.compiler(), scene, command.pass,
+                                      {.number = *command.photon, .isCaustic = command.caustic});
+    device.checkValidation();
+    std::cout << pathTable(path, scene);
 }
 
 } // namespace
@@ -169,6 +177,8 @@ void addInspect(CLI::App& app) {
         ->delimiter(',')
         ->type_name("X,Y");
     sub->add_option("--photon", command->photon, "the photon's number in the pass")->type_name("N");
+    sub->add_flag("--caustic", command->caustic, "the photon is one of those aimed at what is specular")
+        ->needs("--photon");
     sub->add_option("--pass", command->pass, "the pass, counted from 0")->type_name("N");
     sub->add_flag("--test-size", command->testSize, "at the size that hyalite parity compares at");
     sub->callback([command] { runInspect(*command); });

@@ -74,9 +74,11 @@ void addPaths(std::ostream& text, const std::string& name, const parity::PathRes
         text << "; " << number << ' ' << (cause.empty() ? "UNEXPLAINED" : cause);
     }
     text << '\n';
-    if (paths.storedOnDevice + paths.storedByTwin > 0) {
-        text << "photons stored: " << paths.storedOnDevice << " by the device, " << paths.storedByTwin
-             << " by the twin\n";
+    const parity::PhotonSum& device = paths.storedOnDevice;
+    const parity::PhotonSum& twin = paths.storedByTwin;
+    if (device.count + twin.count > 0) {
+        text << "photons stored: " << device.count << " of " << parity::describe(device.flux) << " W by the device, "
+             << twin.count << " of " << parity::describe(twin.flux) << " W by the twin\n";
     }
 }
 

@@ -5,10 +5,9 @@
 #include "base/stopwatch.h"
 #include "cli/command.h"
 #include "cli/number_check.h"
+#include "cli/open_device.h"
 #include "cli/render_report.h"
 #include "cli/scene_settings.h"
-#include "cli/shader_folder.h"
-#include "gpu/self_test.h"
 #include "image/image_io.h"
 #include "scene/load_scene.h"
 
@@ -27,10 +26,8 @@ struct RenderCommand {
     std::string scene;
     std::vector<std::string> outputs;
     std::string backend = "vulkan";
-    std::string device;
-    std::string shaders;
+    DeviceChoice device;
     double time = 0; // [s]; 0: no limit
-    bool validation = false;
     std::string savePhotons;
     std::string loadPhotons;
     bool layers = false;
@@ -57,9 +54,9 @@ void refuseDeviceOptions(const RenderCommand& command) {
             throw Error(ExitCode::WrongUsage, std::string("--backend reference has no use for ") + option);
         }
     };
-    refuse(!command.device.empty(), "--device");
-    refuse(!command.shaders.empty(), "--shaders");
-    refuse(command.validation, "--validation");
+    refuse(!command.device.name.empty(), "--device");
+    refuse(!command.device.shaders.empty(), "--shaders");
+    refuse(command.device.validation, "--validation");
     refuse(command.profile, "--profile");
     refuse(!command.savePhotons.empty(), "--save-photons");
     refuse(!command.loadPhotons.empty(), "--load-photons");
@@ -80,12 +77,7 @@ std::string name(Integrator integrator) {
 }
 
 LayeredImage renderOnDevice(const RenderCommand& command, const Scene& scene, ProgressBar& bar, RenderReport& report) {
-    gpu::ContextOptions options;
-    options.device = command.device;
-    options.validation = command.validation;
-    const gpu::Context context(options);
-    const gpu::ShaderCompiler compiler(findShaders(command.shaders), cacheFolder());
-    gpu::selfTest(context, compiler);
+    const OpenDevice device(command.device);
     render::RenderOptions renderOptions;
     renderOptions.profile = command.profile;
     renderOptions.timeLimit = command.time;
@@ -94,8 +86,8 @@ LayeredImage renderOnDevice(const RenderCommand& command, const Scene& scene, Pr
     };
     renderOptions.savePhotons = command.savePhotons;
     renderOptions.loadPhotons = command.loadPhotons;
-    render::RenderResult result = render::render(context, compiler, scene, renderOptions);
-    report.device = context.info().name + ", " + context.info().driver;
+    render::RenderResult result = render::render(device.context(), device.compiler(), scene, renderOptions);
+    report.device = device.context().info().name + ", " + device.context().info().driver;
     report.passes = result.passes;
     report.errorEstimate = result.errorEstimate;
     report.setupSeconds = result.setupSeconds;
@@ -103,9 +95,7 @@ LayeredImage renderOnDevice(const RenderCommand& command, const Scene& scene, Pr
     report.counts = result.counts;
     report.notes = std::move(result.notes);
     report.stages = std::move(result.stages);
-    if (context.validationMessages() > 0) {
-        throw Error(ExitCode::Device, std::to_string(context.validationMessages()) + " validation messages");
-    }
+    device.checkValidation();
     return std::move(result.image);
 }
 
@@ -252,12 +242,10 @@ void addRender(CLI::App& app, ExitCode&) {
     shorthand(7, "random numbers: sobol (evenly spread) or independent");
     sub->add_option("--backend", command->backend, "vulkan, or reference (CPU, double precision)")
         ->check(CLI::IsMember({"vulkan", "reference"}));
-    sub->add_option("--device", command->device, "part of a device's name, or its number (see hyalite doctor)");
+    addDeviceOptions(*sub, command->device);
     sub->add_option("--time", command->time, "stop when this many seconds of rendering would be exceeded")
         ->check(finiteNumber(/*zeroAllowed*/ false));
-    sub->add_option("--shaders", command->shaders, "folder of shaders to use instead of the installed ones");
     sub->add_option("--set", command->settings, "set a key of the scene file, e.g. --set render.radius=0.01");
-    sub->add_flag("--validation", command->validation, "check every Vulkan call with the validation layers");
     sub->add_flag("--layers", command->layers,
                   "write the parts that the picture is the sum of, and its standard error, into .exr files too");
     sub->add_option("--save-photons", command->savePhotons, "photonmap: write the photon maps to this file");

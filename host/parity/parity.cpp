@@ -33,6 +33,31 @@ PictureResult comparePictures(Image device, Image twin) {
     return result;
 }
 
+// One pass of a scene, all paths of which are written down.
+class Recording {
+public:
+    Recording(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const Scene& scene, std::uint32_t pass)
+        : scene_(scene) {
+        scene_.render.passes = 1;
+        render::RenderOptions options;
+        options.firstPass = pass;
+        options.onUpload = [&](render::Device& device, const render::DeviceScene& deviceScene) {
+            sides_.emplace(scene_, deviceScene);
+            capture_.emplace(context, device.tables, *sides_, std::set<std::string>{"nothing"});
+            device.commands.observe(&*capture_);
+        };
+        static_cast<void>(render::render(context, compiler, scene_, options));
+    }
+
+    [[nodiscard]] RecordedPath path(const PathKey& key) const { return pathOf(*sides_, capture_->recorder(), key); }
+    [[nodiscard]] const auto& photonPasses() const { return capture_->recorder().photonPasses(); }
+
+private:
+    Scene scene_;
+    std::optional<Sides> sides_;
+    std::optional<Capture> capture_;
+};
+
 } // namespace
 
 bool PictureResult::passed() const {
@@ -78,36 +103,31 @@ Result compareSides(const gpu::Context& context, const gpu::ShaderCompiler& comp
     return result;
 }
 
-RecordedPath inspectPath(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const Scene& scene,
-                         std::uint32_t pass, std::optional<std::uint32_t> pixel, std::optional<std::uint32_t> photon) {
-    Scene one = scene;
-    one.render.passes = 1;
-    std::optional<Sides> sides;
-    std::optional<Capture> capture;
-    render::RenderOptions renderOptions;
-    renderOptions.firstPass = pass;
-    renderOptions.onUpload = [&](render::Device& device, const render::DeviceScene& deviceScene) {
-        sides.emplace(one, deviceScene);
-        capture.emplace(context, device.tables, *sides, std::set<std::string>{"nothing"});
-        device.commands.observe(&*capture);
-    };
-    static_cast<void>(render::render(context, compiler, one, renderOptions));
-    if (pixel) {
-        return pathOf(*sides, capture->recorder(), {false, pass, *pixel});
+RecordedPath inspectPixel(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const Scene& scene,
+                          std::uint32_t pass, std::uint32_t pixel) {
+    const Recording recording(context, compiler, scene, pass);
+    return recording.path({false, pass, pixel});
+}
+
+RecordedPath inspectPhoton(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const Scene& scene,
+                           std::uint32_t pass, const PhotonChoice& photon) {
+    const Recording recording(context, compiler, scene, pass);
+    const std::uint32_t purpose = photon.isCaustic ? shared::kCausticPhotons : shared::kGlobalPhotons;
+    const std::uint32_t photonPass = scene.render.integrator == Integrator::PhotonMap ? 0 : pass; // maps are made once
+    const std::uint32_t sequence = shared::photonSequence(renderSeed(scene.render), purpose, photonPass);
+    const auto& sent = recording.photonPasses();
+    const auto found = sent.find(sequence);
+    if (found == sent.end()) {
+        throw Error(ExitCode::WrongUsage,
+                    photon.isCaustic ? "no caustic photons are sent in this render"
+                                     : "this integrator sends no photons",
+                    photon.isCaustic ? "leave --caustic out" : "ask for a pixel with --pixel X,Y");
     }
-    const auto& passes = capture->recorder().photonPasses();
-    if (passes.empty()) {
-        throw Error(ExitCode::WrongUsage, "this integrator sends no photons", "ask for a pixel with --pixel X,Y");
-    }
-    // The photons of the first purpose: of the global map
-    const std::uint32_t sequence = shared::photonSequence(renderSeed(one.render), shared::kGlobalPhotons,
-                                                          one.render.integrator == Integrator::PhotonMap ? 0 : pass);
-    const auto found = passes.contains(sequence) ? passes.find(sequence) : passes.begin();
-    if (*photon >= found->second.pass.count) {
-        throw Error(ExitCode::WrongUsage, "there is no photon " + std::to_string(*photon) + " among " +
+    if (photon.number >= found->second.pass.count) {
+        throw Error(ExitCode::WrongUsage, "there is no photon " + std::to_string(photon.number) + " among " +
                                               std::to_string(found->second.pass.count));
     }
-    return pathOf(*sides, capture->recorder(), {true, found->first, *photon});
+    return recording.path({true, sequence, photon.number});
 }
 
 void shrinkToTestSize(Scene& scene) {

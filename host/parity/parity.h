@@ -52,11 +52,17 @@ struct Result {
 [[nodiscard]] Result compareSides(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const Scene& scene,
                                   const Options& options);
 
-// The path of a pixel (y * width + x) or of a photon, of which one is given, in a pass. Throws Error(WrongUsage) where
-// there is no such photon.
-[[nodiscard]] RecordedPath inspectPath(const gpu::Context& context, const gpu::ShaderCompiler& compiler,
-                                       const Scene& scene, std::uint32_t pass, std::optional<std::uint32_t> pixel,
-                                       std::optional<std::uint32_t> photon);
+// The path of a pixel (y * width + x) in a pass.
+[[nodiscard]] RecordedPath inspectPixel(const gpu::Context& context, const gpu::ShaderCompiler& compiler,
+                                        const Scene& scene, std::uint32_t pass, std::uint32_t pixel);
+
+struct PhotonChoice {
+    std::uint32_t number = 0;
+    bool isCaustic = false; // one of those aimed at what is specular, else of the global map
+};
+// The path of a photon in a pass. Throws Error(WrongUsage) where there is none of that kind and number.
+[[nodiscard]] RecordedPath inspectPhoton(const gpu::Context& context, const gpu::ShaderCompiler& compiler,
+                                         const Scene& scene, std::uint32_t pass, const PhotonChoice& photon);
 
 // Lowers resolution, passes and photons to what is compared in a minute: at most 64 pixels a side, 2 passes and 8192
 // photons of a kind.

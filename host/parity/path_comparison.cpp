@@ -94,6 +94,16 @@ std::string causeOf(const Sides& sides, const PathKey& key, const reference::Pho
     return kGrown;
 }
 
+template <class Vertices>
+void addStored(PhotonSum& sum, const Vertices& path) {
+    for (const Vertex& vertex : path) {
+        if ((vertex.choice & kStored) != 0) {
+            ++sum.count;
+            sum.flux += vertex.weight;
+        }
+    }
+}
+
 } // namespace
 
 std::uint64_t PathResult::unexplained() const {
@@ -129,9 +139,8 @@ PathResults comparePaths(const Sides& sides, const PathRecorder& recorder) {
         PathResult& result = key.isPhoton ? results.photons : results.camera;
         ++result.compared;
         result.vertices += path.twin.size();
-        const auto isStored = [](const Vertex& vertex) { return (vertex.choice & kStored) != 0; };
-        result.storedOnDevice += static_cast<std::uint64_t>(std::ranges::count_if(path.device, isStored));
-        result.storedByTwin += static_cast<std::uint64_t>(std::ranges::count_if(path.twin, isStored));
+        addStored(result.storedOnDevice, path.device);
+        addStored(result.storedByTwin, path.twin);
         if (path.differsAt == 0) {
             ++result.agree;
         } else {

@@ -26,12 +26,18 @@ struct RecordedPath {
     std::string cause;
 };
 
+// Photons that paths left.
+struct PhotonSum {
+    std::uint64_t count = 0;
+    glm::dvec3 flux{0}; // [W]
+};
+
 struct PathResult {
     std::uint64_t compared = 0;
     std::uint64_t vertices = 0;
-    std::uint64_t agree = 0;          // from the start, vertex by vertex
-    std::uint64_t storedOnDevice = 0; // photons that the paths left
-    std::uint64_t storedByTwin = 0;
+    std::uint64_t agree = 0; // from the start, vertex by vertex
+    PhotonSum storedOnDevice;
+    PhotonSum storedByTwin;
     std::map<std::string, std::uint64_t> causes; // of those that do not: how often; "": nothing explains it
     std::vector<RecordedPath> worst;             // unexplained ones first, then those that part earliest
 

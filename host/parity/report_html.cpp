@@ -125,6 +125,14 @@ std::string listOf(Integrator integrator, const std::vector<RecordedPath>& paths
     return text + ']';
 }
 
+// The map with its largest error, or one that can just be seen, in white.
+ErrorMap brightened(ErrorMap map, double white) {
+    for (double& value : map.values) {
+        value /= white;
+    }
+    return map;
+}
+
 std::string dataUri(const Image& image) {
     const std::vector<std::byte> png = encodePng(image);
     return "data:image/png;base64," + encodeBase64({reinterpret_cast<const char*>(png.data()), png.size()});
@@ -168,11 +176,16 @@ std::string safe(std::string json) {
 std::string toHtml(const Result& result, const Scene& scene, const Circumstances& circumstances) {
     Json pictures = Json::object();
     if (result.picture) {
+        constexpr double kLeastWhite = 0.01;
+        const auto& errors = result.picture->flipMap.values;
+        const double white = std::max(kLeastWhite, *std::ranges::max_element(errors));
+        const ErrorMap shown = brightened(result.picture->flipMap, white);
         pictures = {{"width", result.picture->twin.width},
                     {"height", result.picture->twin.height},
                     {"device", dataUri(result.picture->device)},
                     {"twin", dataUri(result.picture->twin)},
-                    {"difference", dataUri(falseColour(result.picture->flipMap, wholeOf(result.picture->twin)))}};
+                    {"difference", dataUri(falseColour(shown, wholeOf(result.picture->twin)))},
+                    {"white", white}};
     }
     std::vector<RecordedPath> worst;
     if (result.paths) {

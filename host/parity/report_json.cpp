@@ -44,11 +44,15 @@ Json jsonOf(const FieldResult& field) {
     return object;
 }
 
+Json jsonOf(const PhotonSum& photons) {
+    return {{"count", photons.count}, {"flux", {photons.flux.x, photons.flux.y, photons.flux.z}}};
+}
+
 Json jsonOf(const PathResult& paths) {
     Json object{{"compared", paths.compared},
                 {"vertices", paths.vertices},
                 {"agree", paths.agree},
-                {"photons_stored", {{"device", paths.storedOnDevice}, {"twin", paths.storedByTwin}}},
+                {"photons_stored", {{"device", jsonOf(paths.storedOnDevice)}, {"twin", jsonOf(paths.storedByTwin)}}},
                 {"share", paths.share()},
                 {"agree_stepwise", paths.agreeStepwise()},
                 {"share_stepwise", paths.shareStepwise()},

@@ -67,6 +67,10 @@ class Comparison(CliTest):
         self.assertEqual({stage["name"] for stage in result["stages"]}, {"trace_closest", "sample_lights"})
         self.assertNotIn("picture", result)
 
+    def test_a_stage_that_does_not_run_is_refused(self):
+        arguments = ["parity", scene_file("cornell-caustics.yaml"), *SMALL, "--stages", "trace_closest,trace_nearest"]
+        self.assert_refused(USAGE, ["'trace_nearest'", "without --stages"], arguments)
+
     def test_text_ends_in_one_line_of_verdict(self):
         said = self.succeed("parity", scene_file("cornell-caustics.yaml"), *SMALL)
         self.assertTrue(said.splitlines()[-1].startswith("parity passed: "), said)
@@ -82,12 +86,16 @@ class Inspect(CliTest):
     def test_both_sides_of_a_photons_path_are_shown(self):
         said = self.succeed("inspect", scene_file("cornell-caustics.yaml"), *SMALL, "--photon", "7")
         self.assertRegex(said, r"(?s)vertex 1.*flux.*photon 7: ")
+        aimed = self.succeed("inspect", scene_file("cornell-caustics.yaml"), *SMALL, "--photon", "7", "--caustic")
+        self.assertRegex(aimed, r"(?s)vertex 1.*flux.*photon 7: ")
+        self.assertNotEqual(said, aimed)
 
     def test_what_is_not_there_is_refused(self):
         scene = scene_file("cornell-caustics.yaml")
         self.assert_refused(USAGE, ["one pixel or one photon"], ["inspect", scene])
         self.assert_refused(USAGE, ["32 x 32"], ["inspect", scene, *SMALL, "--pixel", "32,0"])
         self.assert_refused(USAGE, ["no photon 1024"], ["inspect", scene, *SMALL, "--photon", "1024"])
+        self.assert_refused(USAGE, ["no caustic photons"], ["inspect", scene_file("cornell-box.yaml"), *SMALL, "--photon", "1", "--caustic"])
 
 
 class Report(CliTest):

@@ -44,9 +44,9 @@ def default_environment():
 
 
 def command_line(arguments):
-    """The program with its arguments; a render on the device runs under the validation layers when they are wanted."""
+    """The program with its arguments; what works on the device runs under the validation layers when they are wanted."""
     command = [str(Setup.program), *map(str, arguments)]
-    if "HYALITE_VALIDATION" in os.environ and arguments[:1] == ["render"] and "reference" not in arguments:
+    if "HYALITE_VALIDATION" in os.environ and arguments[0] in ("render", "parity", "inspect") and "reference" not in arguments:
         command.append("--validation")
     return command
 

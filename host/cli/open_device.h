@@ -1,0 +1,37 @@
+// The device that a command works on, as its options ask for it.
+#pragma once
+
+#include "gpu/context.h"
+#include "gpu/shader_compiler.h"
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace hyalite::cli {
+
+struct DeviceChoice {
+    std::string name;    // see gpu::ContextOptions
+    std::string shaders; // folder; empty: those installed
+    bool validation = false;
+};
+
+// --device, --shaders and --validation.
+void addDeviceOptions(CLI::App& sub, DeviceChoice& choice);
+
+class OpenDevice {
+public:
+    // Throws what gpu::Context, findShaders and gpu::selfTest throw.
+    explicit OpenDevice(const DeviceChoice& choice);
+
+    [[nodiscard]] const gpu::Context& context() const { return context_; }
+    [[nodiscard]] const gpu::ShaderCompiler& compiler() const { return compiler_; }
+
+    // Throws Error(Device) where the validation layers had something to say.
+    void checkValidation() const;
+
+private:
+    gpu::Context context_;
+    gpu::ShaderCompiler compiler_;
+};
+
+} // namespace hyalite::cli
