@@ -25,7 +25,8 @@ render=(cmake ninja-build g++ libvulkan-dev glslang-dev glslang-tools spirv-tool
     libstb-dev libopenexr-dev zlib1g-dev libyaml-cpp-dev libcli11-dev nlohmann-json3-dev libnanoflann-dev
     mesa-vulkan-drivers)
 # clang-format 19: the one version that both Debian 12 and 13 have, so that both judge a line alike.
-test=(catch2 vulkan-validationlayers python3 python3-jsonschema python3-yaml shellcheck clang-format-19)
+# libembree-dev: what `hyalite bench` measures rays against.
+test=(catch2 vulkan-validationlayers python3 python3-jsonschema python3-yaml shellcheck clang-format-19 libembree-dev)
 lint=(clang clang-tidy)
 # Lavapipe before Mesa 25 renders wrong pixels, and the tests are written for Catch2 v3.
 declare -A atLeast=([mesa-vulkan-drivers]=25 [catch2]=3)

@@ -30,6 +30,7 @@ int parseAndRun(int argc, char** argv) {
     addRender(app, exit);
     addCompare(app, exit);
     addDoctor(app, exit);
+    addBench(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -13,5 +13,6 @@ namespace hyalite::cli {
 void addRender(CLI::App& app, ExitCode& exit);
 void addCompare(CLI::App& app, ExitCode& exit);
 void addDoctor(CLI::App& app, ExitCode& exit);
+void addBench(CLI::App& app);
 
 } // namespace hyalite::cli
