@@ -136,7 +136,7 @@ void measurePhotonStages(render::Device& device, const Scene& scene, const rende
     for (const char* stage : {"photons", "grid", "gather", "tree", "estimate"}) {
         wanted = wanted || options.wants(stage);
     }
-    if (wanted && deviceScene.lightCount > 0) {
+    if (wanted) {
         PhotonStages(device, scene, deviceScene, options, result).measure();
     }
 }

@@ -7,8 +7,7 @@
 
 namespace hyalite::bench {
 
-// Measures those of the stages photons, grid, gather, tree and estimate that are wanted; none where the scene has no
-// light.
+// Measures those of the stages photons, grid, gather, tree and estimate that are wanted.
 void measurePhotonStages(render::Device& device, const Scene& scene, const render::DeviceScene& deviceScene,
                          const BenchOptions& options, SceneResult& result);
 

@@ -49,7 +49,7 @@ std::vector<RaySet> makeRaySets(render::Device& device, const Scene& scene, cons
                             shared::BouncePathsArguments{queue.paths, visiblePoints, queue.nextRays, queue.nextPaths,
                                                          queue.alive, queue.count, depth, kSegments, 0},
                             queue.count);
-        if (depth == 1 && deviceScene.lightCount > 0) {
+        if (depth == 1) {
             lights.sample(visiblePoints, shared::kNone, 0, kSegments);
             device.commands.finish();
             RaySet shadow{"shadow", true, lights.shadowRays().read()};

@@ -19,8 +19,8 @@ struct RaySet {
 };
 
 // camera: one a pixel, row by row. bounce: those that go on from where these hit, by the cosine from diffuse surfaces,
-// in the same order. shuffled: the same in random order. shadow: from the diffuse hits to points on the lights; none
-// where the scene has no lights. Sets without a ray are left out.
+// in the same order. shuffled: the same in random order. shadow: from the diffuse hits to points on the lights.
+// Sets without a ray are left out.
 [[nodiscard]] std::vector<RaySet> makeRaySets(render::Device& device, const Scene& scene,
                                               const render::DeviceScene& deviceScene);
 
