@@ -25,9 +25,10 @@ render=(cmake ninja-build g++ libvulkan-dev glslang-dev glslang-tools spirv-tool
     libstb-dev libopenexr-dev zlib1g-dev libyaml-cpp-dev libcli11-dev nlohmann-json3-dev libnanoflann-dev
     mesa-vulkan-drivers)
 # clang-format 19: the one version that both Debian 12 and 13 have, so that both judge a line alike.
-# A browser, its driver and a font: what the program's pages are looked at with.
+# A browser, its driver and a font: what the program's pages are looked at with. libembree-dev: what `hyalite bench`
+# measures rays against.
 test=(catch2 vulkan-validationlayers python3 python3-jsonschema python3-yaml shellcheck clang-format-19 chromium
-    chromium-driver python3-selenium fonts-dejavu-core)
+    chromium-driver python3-selenium fonts-dejavu-core libembree-dev)
 lint=(clang clang-tidy)
 # Lavapipe before Mesa 25 renders wrong pixels, and the tests are written for Catch2 v3.
 declare -A atLeast=([mesa-vulkan-drivers]=25 [catch2]=3)

@@ -32,6 +32,7 @@ int parseAndRun(int argc, char** argv) {
     addParity(app, exit);
     addInspect(app);
     addDoctor(app, exit);
+    addBench(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -15,5 +15,6 @@ void addCompare(CLI::App& app, ExitCode& exit);
 void addParity(CLI::App& app, ExitCode& exit);
 void addInspect(CLI::App& app);
 void addDoctor(CLI::App& app, ExitCode& exit);
+void addBench(CLI::App& app);
 
 } // namespace hyalite::cli

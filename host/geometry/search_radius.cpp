@@ -15,20 +15,51 @@ namespace {
 // Enough for a mean, few enough that a corner in which photons of several surfaces meet stays small.
 constexpr std::size_t kNeighbour = 10;
 
-double distance2ToNeighbour(std::span<const glm::dvec3> points, std::size_t i, std::size_t k) {
+// Points along a line that no wall of a usual room is at right angles to.
+struct Placed {
+    glm::dvec3 point;
+    double along = 0;
+};
+
+std::vector<Placed> sortedAlongLine(std::span<const glm::dvec3> points) {
+    const glm::dvec3 line(0.6, 0.64, 0.48); // unit
+    std::vector<Placed> sorted;
+    for (const glm::dvec3& point : points) {
+        sorted.push_back({point, glm::dot(point, line)});
+    }
+    std::ranges::sort(sorted, {}, &Placed::along);
+    return sorted;
+}
+
+// Two points are at least as far apart as along the line: outwards from the point, until that is too far.
+double distance2ToNeighbour(std::span<const Placed> sorted, std::size_t i, std::size_t k) {
     std::vector<double> nearest; // a heap of the k least so far
     nearest.reserve(k + 1);
-    for (std::size_t j = 0; j < points.size(); ++j) {
-        const glm::dvec3 way = points[j] - points[i];
-        const double distance2 = glm::dot(way, way);
-        if (j == i || (nearest.size() == k && distance2 >= nearest.front())) {
-            continue;
-        }
-        nearest.push_back(distance2);
+    const auto isTooFar = [&](std::size_t j) {
+        const double gap = sorted[j].along - sorted[i].along;
+        return nearest.size() == k && gap * gap >= nearest.front();
+    };
+    const auto add = [&](std::size_t j) {
+        const glm::dvec3 way = sorted[j].point - sorted[i].point;
+        nearest.push_back(glm::dot(way, way));
         std::ranges::push_heap(nearest);
         if (nearest.size() > k) {
             std::ranges::pop_heap(nearest);
             nearest.pop_back();
+        }
+    };
+    std::size_t below = i; // those from here to before `above` are done
+    std::size_t above = i + 1;
+    bool more = true;
+    while (more) {
+        more = false;
+        if (below > 0 && !isTooFar(below - 1)) {
+            add(--below);
+            more = true;
+        }
+        if (above < sorted.size() && !isTooFar(above)) {
+            add(above++);
+            more = true;
         }
     }
     return nearest.front();
@@ -41,10 +72,11 @@ double roundToEighthOctave(double x) {
 } // namespace
 
 double typicalSpacing(std::span<const glm::dvec3> points, std::size_t k) {
+    const std::vector<Placed> sorted = sortedAlongLine(points);
     std::vector<double> logs(points.size());
     parallelFor(points.size(), 64, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const double distance2 = distance2ToNeighbour(points, i, k);
+            const double distance2 = distance2ToNeighbour(sorted, i, k);
             logs[i] = std::log(std::max(distance2, std::numeric_limits<double>::min())) / 2;
         }
     });

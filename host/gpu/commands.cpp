@@ -207,6 +207,19 @@ void Commands::record(const Kernel& kernel, std::span<const std::byte> arguments
     });
 }
 
+void Commands::prepare(const Kernel& kernel) {
+    checked("preparing kernel '" + kernel.name() + '\'', [&] {
+        const Kernel::Impl& implementation = kernel.impl();
+        const std::vector<std::byte> arguments(implementation.interface.pushConstantBytes);
+        const vk::raii::CommandBuffer& buffer = impl_->recorder();
+        buffer.bindPipeline(vk::PipelineBindPoint::eCompute, *implementation.pipeline);
+        buffer.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *implementation.layout, 0, *impl_->tables.set,
+                                  nullptr);
+        buffer.pushConstants<std::byte>(*implementation.layout, vk::ShaderStageFlagBits::eCompute, 0, arguments);
+        buffer.dispatch(0, 1, 1);
+    });
+}
+
 void Commands::clear(const Buffer& buffer) {
     if (buffer.impl() != nullptr) {
         clear(buffer, (buffer.bytes() + 3) / 4 * 4); // Vulkan's buffer is a multiple of 4 long

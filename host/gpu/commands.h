@@ -28,6 +28,8 @@ public:
         static_assert(std::is_trivially_copyable_v<Arguments>);
         run(kernel, std::as_bytes(std::span(&arguments, 1)), threads);
     }
+    // Makes the driver compile the kernel now, and runs nothing: lavapipe compiles at the first dispatch.
+    void prepare(const Kernel& kernel);
     // Writes zeros to the whole buffer; a barrier follows.
     void clear(const Buffer& buffer);
     void clear(const Buffer& buffer, std::size_t bytes); // the first `bytes`, a multiple of 4

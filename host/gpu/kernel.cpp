@@ -72,41 +72,54 @@ vk::raii::Pipeline makePipeline(const vk::raii::Device& device, vk::PipelineLayo
                 .flags = vk::PipelineCreateFlagBits::eDispatchBase, .stage = stage, .layout = layout}};
 }
 
-} // namespace
-
-Kernel::Kernel(const Context& owner, const TexelTables& tables, const ShaderCompiler& compiler, std::string name,
-               const Specialization& specialization)
-    : impl_(std::make_unique<Impl>()) {
-    const Context::Impl& context = owner.impl();
-    impl_->name = std::move(name);
-    const SpirV spirv = compiler.compile(impl_->name);
-    impl_->interface = reflect(spirv);
-    const std::filesystem::path source = compiler.shaders() / "kernels" / (impl_->name + ".comp");
-    checkInterface(*impl_, context, tables.impl().views.size(), {.file = source.string()});
-    checked("making kernel '" + impl_->name + '\'', [&] {
-        const vk::DescriptorSetLayout setLayout = *tables.impl().layout;
+std::shared_ptr<const Kernel::Impl> make(const Context::Impl& context, const TexelTables::Impl& tables,
+                                         const ShaderCompiler& compiler, const std::string& name,
+                                         const Specialization& specialization) {
+    auto kernel = std::make_shared<Kernel::Impl>();
+    kernel->name = name;
+    const SpirV spirv = compiler.compile(name);
+    kernel->interface = reflect(spirv);
+    const std::filesystem::path source = compiler.shaders() / "kernels" / (name + ".comp");
+    checkInterface(*kernel, context, tables.views.size(), {.file = source.string()});
+    checked("making kernel '" + name + '\'', [&] {
+        const vk::DescriptorSetLayout setLayout = *tables.layout;
         const vk::PushConstantRange range{.stageFlags = vk::ShaderStageFlagBits::eCompute,
-                                          .size = (impl_->interface.pushConstantBytes + 3U) & ~3U};
-        impl_->layout = {context.device, vk::PipelineLayoutCreateInfo{.setLayoutCount = 1,
-                                                                      .pSetLayouts = &setLayout,
-                                                                      .pushConstantRangeCount = 1,
-                                                                      .pPushConstantRanges = &range}};
-        impl_->pipeline = makePipeline(context.device, *impl_->layout, spirv, select(specialization, impl_->interface));
-        const auto handle = reinterpret_cast<std::uint64_t>(static_cast<VkPipeline>(*impl_->pipeline));
-        context.nameObject(vk::ObjectType::ePipeline, handle, impl_->name);
+                                          .size = (kernel->interface.pushConstantBytes + 3U) & ~3U};
+        kernel->layout = {context.device, vk::PipelineLayoutCreateInfo{.setLayoutCount = 1,
+                                                                       .pSetLayouts = &setLayout,
+                                                                       .pushConstantRangeCount = 1,
+                                                                       .pPushConstantRanges = &range}};
+        kernel->pipeline =
+            makePipeline(context.device, *kernel->layout, spirv, select(specialization, kernel->interface));
+        const auto handle = reinterpret_cast<std::uint64_t>(static_cast<VkPipeline>(*kernel->pipeline));
+        context.nameObject(vk::ObjectType::ePipeline, handle, name);
     });
+    return kernel;
 }
 
-Kernel::~Kernel() = default;
-Kernel::Kernel(Kernel&&) noexcept = default;
-Kernel& Kernel::operator=(Kernel&&) noexcept = default;
+} // namespace
+
+Kernel::Kernel(const Context& context, const TexelTables& tables, const ShaderCompiler& compiler, std::string name,
+               const Specialization& specialization) {
+    std::promise<Made> made;
+    made.set_value(make(context.impl(), tables.impl(), compiler, name, specialization));
+    impl_ = made.get_future().share();
+}
+
+Kernel Kernel::inBackground(const Context& context, const TexelTables& tables, const ShaderCompiler& compiler,
+                            std::string name, const Specialization& specialization) {
+    return Kernel(std::async(std::launch::async, [&context = context.impl(), &tables = tables.impl(), &compiler,
+                                                  name = std::move(name), specialization] {
+                      return make(context, tables, compiler, name, specialization);
+                  }).share());
+}
 
 const std::string& Kernel::name() const {
-    return impl_->name;
+    return impl().name;
 }
 
 const KernelInterface& Kernel::interface() const {
-    return impl_->interface;
+    return impl().interface;
 }
 
 } // namespace hyalite::gpu

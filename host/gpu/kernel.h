@@ -4,7 +4,9 @@
 #include "gpu/buffer.h"
 #include "gpu/shader_compiler.h"
 
+#include <future>
 #include <map>
+#include <memory>
 #include <string>
 
 namespace hyalite::gpu {
@@ -31,22 +33,30 @@ struct KernelInterface {
 // description of the scene serves every kernel.
 using Specialization = std::map<std::string, std::uint32_t>;
 
+// Copies are the same pipeline.
 class Kernel {
 public:
     Kernel(const Context& context, const TexelTables& tables, const ShaderCompiler& compiler, std::string name,
            const Specialization& specialization = {});
-    ~Kernel();
-    Kernel(Kernel&&) noexcept;
-    Kernel& operator=(Kernel&&) noexcept;
 
+    // The same, but another core makes it while the caller goes on: what is wrong with it is thrown where it is first
+    // used. The arguments must outlive the kernel and its copies.
+    [[nodiscard]] static Kernel inBackground(const Context& context, const TexelTables& tables,
+                                             const ShaderCompiler& compiler, std::string name,
+                                             const Specialization& specialization = {});
+
+    // These wait until it is made.
     [[nodiscard]] const std::string& name() const;
     [[nodiscard]] const KernelInterface& interface() const;
 
     struct Impl;
-    [[nodiscard]] const Impl& impl() const { return *impl_; }
+    [[nodiscard]] const Impl& impl() const { return *impl_.get(); }
 
 private:
-    std::unique_ptr<Impl> impl_;
+    using Made = std::shared_ptr<const Impl>;
+    explicit Kernel(std::shared_future<Made> impl) : impl_(std::move(impl)) {}
+
+    std::shared_future<Made> impl_;
 };
 
 } // namespace hyalite::gpu

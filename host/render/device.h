@@ -7,6 +7,9 @@
 
 #include "shaders/shared/scene_records.h"
 
+#include <map>
+#include <utility>
+
 namespace hyalite::render {
 
 struct Device {
@@ -18,9 +21,21 @@ struct Device {
     Device(const gpu::Context& c, const gpu::ShaderCompiler& s, bool timed)
         : context(c), compiler(s), commands(c, tables, timed) {}
 
+    // Several stages may ask for the same kernel: it is made once, in the background. What is wrong with its source is
+    // thrown where it is first run.
     [[nodiscard]] gpu::Kernel kernel(const std::string& name, const gpu::Specialization& specialization = {}) const {
-        return {context, tables, compiler, name, specialization};
+        const auto found = kernels_.find({name, specialization});
+        if (found != kernels_.end()) {
+            return found->second;
+        }
+        return kernels_
+            .try_emplace({name, specialization},
+                         gpu::Kernel::inBackground(context, tables, compiler, name, specialization))
+            .first->second;
     }
+
+private:
+    mutable std::map<std::pair<std::string, gpu::Specialization>, gpu::Kernel> kernels_;
 };
 
 } // namespace hyalite::render

@@ -3,6 +3,7 @@
 #define HYALITE_BVH_GLSL
 #include "shared/limits.h"
 #include "lib/math.glsl"
+#include "lib/stack.glsl"
 #include "lib/tables.glsl"
 
 // A ray as the box test wants it.
@@ -63,19 +64,10 @@ vec4 enterChildren(uint node, BoxRay ray, float tMax, out uvec4 children) {
     return key;
 }
 
-// Puts the children that are hit on the stack, the nearest on top; the host has checked that the stack holds them.
-void pushChildren(vec4 key, uvec4 children, inout uint stack[kTraversalStack], inout uint top) {
-    if (key.w < kInfinity) {
-        stack[top++] = children.w;
-    }
-    if (key.z < kInfinity) {
-        stack[top++] = children.z;
-    }
-    if (key.y < kInfinity) {
-        stack[top++] = children.y;
-    }
-    if (key.x < kInfinity) {
-        stack[top++] = children.x;
-    }
+// The nearest child that the ray enters, the others on the stack; kNone where it enters none.
+uint nextChild(vec4 key, uvec4 children) {
+    uint others = key.w < kInfinity ? 3u : key.z < kInfinity ? 2u : key.y < kInfinity ? 1u : 0u;
+    pushEntries(others, children.yzw);
+    return key.x < kInfinity ? children.x : kNone;
 }
 #endif

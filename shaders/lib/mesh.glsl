@@ -56,27 +56,32 @@ vec2 triangleCoordinates(vec3 o, vec3 d, uint triangle) {
 // Closest triangle of a mesh, or with `any` the first one found.
 void traceMesh(uint root, uint object, vec3 o, vec3 d, bool any, inout Hit hit) {
     BoxRay ray = boxRay(o, d);
-    uint stack[kTraversalStack];
-    uint top = 0u;
-    stack[top++] = root;
-    while (top > 0u) {
-        uint word = stack[--top];
+    uint bottom = stackDepth;
+    uint word = root;
+    while (true) {
         if ((word & kLeafBit) == 0u) {
             uvec4 children;
             vec4 key = enterChildren(word, ray, hit.t, children);
-            pushChildren(key, children, stack, top);
-            continue;
-        }
-        uint first = word & kLeafFirstMask;
-        uint end = first + ((word & ~kLeafBit) >> kLeafCountShift);
-        for (uint triangle = first; triangle < end; ++triangle) {
-            if (intersectTriangle(o, d, triangle, hit.t, hit.uv)) {
-                hit.object = object;
-                hit.primitive = triangle;
-                if (any) {
-                    return;
+            word = nextChild(key, children);
+        } else {
+            uint first = word & kLeafFirstMask;
+            uint end = first + ((word & ~kLeafBit) >> kLeafCountShift);
+            for (uint triangle = first; triangle < end; ++triangle) {
+                if (intersectTriangle(o, d, triangle, hit.t, hit.uv)) {
+                    hit.object = object;
+                    hit.primitive = triangle;
+                    if (any) {
+                        return;
+                    }
                 }
             }
+            word = kNone;
+        }
+        if (word == kNone) {
+            if (stackDepth == bottom) {
+                return;
+            }
+            word = popEntry();
         }
     }
 }
@@ -101,34 +106,39 @@ struct MeshCrossing {
 MeshCrossing nextMeshCrossing(uint root, vec3 o, vec3 d, float after, uint afterTriangle, bool count) {
     MeshCrossing next = MeshCrossing(kInfinity, kNone, 0, 0);
     BoxRay ray = boxRay(o, d);
-    uint stack[kTraversalStack];
-    uint top = 0u;
-    stack[top++] = root;
-    while (top > 0u) {
-        uint word = stack[--top];
+    uint bottom = stackDepth;
+    uint word = root;
+    while (true) {
         if ((word & kLeafBit) == 0u) {
             uvec4 children;
             vec4 key = enterChildren(word, ray, count ? kEndless : next.t, children);
-            pushChildren(key, children, stack, top);
-            continue;
+            word = nextChild(key, children);
+        } else {
+            uint first = word & kLeafFirstMask;
+            uint end = first + ((word & ~kLeafBit) >> kLeafCountShift);
+            for (uint triangle = first; triangle < end; ++triangle) {
+                TriangleEdges e = triangleEdges(o, triangle);
+                bool a = isPositive(dot(e.edgeA, d), e.edgeA);
+                bool b = isPositive(dot(e.edgeB, d), e.edgeB);
+                bool c = isPositive(dot(e.edgeC, d), e.edgeC);
+                float t = dot(e.normal, e.a) / dot(e.normal, d);
+                bool later = t > after || (t == after && afterTriangle != kNone && triangle > afterTriangle);
+                if (a != b || b != c || !later || t >= kEndless) {
+                    continue;
+                }
+                int entering = a ? 1 : -1;
+                next.winding -= entering;
+                if (t < next.t || (t == next.t && triangle < next.triangle)) {
+                    next = MeshCrossing(t, triangle, entering, next.winding);
+                }
+            }
+            word = kNone;
         }
-        uint first = word & kLeafFirstMask;
-        uint end = first + ((word & ~kLeafBit) >> kLeafCountShift);
-        for (uint triangle = first; triangle < end; ++triangle) {
-            TriangleEdges e = triangleEdges(o, triangle);
-            bool a = isPositive(dot(e.edgeA, d), e.edgeA);
-            bool b = isPositive(dot(e.edgeB, d), e.edgeB);
-            bool c = isPositive(dot(e.edgeC, d), e.edgeC);
-            float t = dot(e.normal, e.a) / dot(e.normal, d);
-            bool later = t > after || (t == after && afterTriangle != kNone && triangle > afterTriangle);
-            if (a != b || b != c || !later || t >= kEndless) {
-                continue;
+        if (word == kNone) {
+            if (stackDepth == bottom) {
+                break;
             }
-            int entering = a ? 1 : -1;
-            next.winding -= entering;
-            if (t < next.t || (t == next.t && triangle < next.triangle)) {
-                next = MeshCrossing(t, triangle, entering, next.winding);
-            }
+            word = popEntry();
         }
     }
     return next;

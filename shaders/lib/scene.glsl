@@ -35,31 +35,36 @@ void traceRange(uint first, uint end, Ray ray, bool any, inout Hit hit) {
     }
 }
 
-// Descends the hierarchy over the objects. Those without end stand at its root's place: the first leaf on the stack.
+// Descends the hierarchy over the objects. Those without end stand before its root.
 void traceObjects(uint root, Ray ray, bool any, inout Hit hit) {
     BoxRay box = boxRay(ray.origin, ray.direction);
-    uint stack[kTraversalStack];
-    uint top = 0u;
-    stack[top++] = root;
+    uint bottom = stackDepth;
+    uint word = root;
     bool endless = kEndlessObjects > 0u;
-    while (top > 0u || endless) {
-        uint first = 0u;
-        uint end = kEndlessObjects;
-        if (!endless) {
-            uint word = stack[--top];
-            if ((word & kLeafBit) == 0u) {
-                uvec4 children;
-                vec4 key = enterChildren(word, box, hit.t, children);
-                pushChildren(key, children, stack, top);
-                continue;
+    while (true) {
+        if (!endless && (word & kLeafBit) == 0u) {
+            uvec4 children;
+            vec4 key = enterChildren(word, box, hit.t, children);
+            word = nextChild(key, children);
+        } else {
+            uint first = 0u;
+            uint end = kEndlessObjects;
+            if (!endless) {
+                first = word & kLeafFirstMask;
+                end = first + ((word & ~kLeafBit) >> kLeafCountShift);
+                word = kNone;
             }
-            first = word & kLeafFirstMask;
-            end = first + ((word & ~kLeafBit) >> kLeafCountShift);
+            endless = false;
+            traceRange(first, end, ray, any, hit);
+            if (any && hit.object != kNone) {
+                return;
+            }
         }
-        endless = false;
-        traceRange(first, end, ray, any, hit);
-        if (any && hit.object != kNone) {
-            return;
+        if (word == kNone) {
+            if (stackDepth == bottom) {
+                return;
+            }
+            word = popEntry();
         }
     }
 }

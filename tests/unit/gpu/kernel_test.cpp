@@ -84,6 +84,25 @@ TEST_CASE("a specialization that the kernel does not have is ignored", "[kernel]
     CHECK(constantsWith({{"kHasSomethingElse", 1}}) == std::vector<std::uint32_t>{5, 0});
 }
 
+TEST_CASE("what is wrong with a kernel made in the background is thrown where it is first used", "[kernel]") {
+    const TemporaryShaders folder;
+    writeConstantsKernel(folder);
+    folder.writeKernel("wrong", "", "int x = ;");
+    Gpu& device = Gpu::shared();
+    const ShaderCompiler compiler(folder.shaders());
+    const auto make = [&](const std::string& name) {
+        return Kernel::inBackground(device.context(), device.tables(), compiler, name);
+    };
+    const Kernel wrong = make("wrong");
+    const Kernel right = make("write_constants");
+    const Kernel same = right;
+    CHECK(&same.impl() == &right.impl());
+    CHECK(right.interface().pushConstantBytes == 16); // an address and a count, rounded up
+    for (int use = 0; use < 2; ++use) {
+        CHECK_THROWS_WITH(wrong.interface(), ContainsSubstring("'wrong'") && ContainsSubstring("syntax error"));
+    }
+}
+
 TEST_CASE("a kernel with another workgroup size is refused", "[kernel]") {
     const TemporaryShaders folder;
     folder.writeKernel("narrow", "", "");

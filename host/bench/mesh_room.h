@@ -1,0 +1,11 @@
+// A closed room as one mesh: rough walls, pillars and balls of uneven surface.
+#pragma once
+
+#include "scene/scene.h"
+
+namespace hyalite::bench {
+
+// 121 088 triangles; the room is [-4, 4] x [0, 4] x [-4, 4] m.
+[[nodiscard]] Mesh makeMeshRoom();
+
+} // namespace hyalite::bench

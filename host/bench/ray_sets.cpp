@@ -1,0 +1,70 @@
+#include "bench/ray_sets.h"
+
+#include "render/camera_paths.h"
+#include "render/light_sampler.h"
+
+#include <random>
+
+namespace hyalite::bench {
+
+namespace {
+
+// Far enough for a bounce after the first hit.
+constexpr std::uint32_t kSegments = 3;
+
+std::vector<shared::Ray> copyOf(const gpu::Array<shared::Ray>& rays, std::size_t count) {
+    const auto all = rays.host().first(count);
+    return {all.begin(), all.end()};
+}
+
+// By a generator that the standard defines, so the same everywhere; its modulus is biased by 2^-40.
+std::vector<shared::Ray> shuffled(std::vector<shared::Ray> rays) {
+    std::mt19937_64 random(1);
+    for (std::size_t i = rays.size(); i > 1; --i) {
+        std::swap(rays[i - 1], rays[random() % i]);
+    }
+    return rays;
+}
+
+} // namespace
+
+std::vector<RaySet> makeRaySets(render::Device& device, const Scene& scene, const render::DeviceScene& deviceScene) {
+    const std::uint32_t pixels = scene.camera.resolution.x * scene.camera.resolution.y;
+    Scene settings; // CameraPaths reads nothing else of it
+    settings.render = scene.render;
+    settings.render.maxDepth = kSegments;
+    render::CameraPaths paths(device, settings, deviceScene, pixels, render::AtDiffuse::Bounces);
+    render::LightSampler lights(device, deviceScene, pixels);
+    const gpu::Kernel bouncePaths = device.kernel("bounce_paths");
+    const gpu::Array<shared::VisiblePoint> visiblePoints(device.context, pixels, "visible points");
+    const gpu::Array<glm::vec3> met(device.context, pixels, "light met");
+
+    std::vector<RaySet> sets;
+    paths.generate(0);
+    device.commands.finish();
+    sets.push_back({"camera", false, copyOf(paths.queue().rays, pixels)});
+    paths.follow(0, visiblePoints, met, nullptr, [&](std::uint32_t depth) {
+        const render::CameraQueue& queue = paths.queue();
+        device.commands.run(bouncePaths,
+                            shared::BouncePathsArguments{queue.paths, visiblePoints, queue.nextRays, queue.nextPaths,
+                                                         queue.alive, queue.count, depth, kSegments, 0},
+                            queue.count);
+        if (depth == 1) {
+            lights.sample(visiblePoints, shared::kNone, 0, kSegments);
+            device.commands.finish();
+            RaySet shadow{"shadow", true, lights.shadowRays().read()};
+            std::erase_if(shadow.rays, [](const shared::Ray& ray) { return ray.tMax <= 0; });
+            sets.push_back(std::move(shadow));
+        }
+        if (depth == 2) {
+            device.commands.finish();
+            sets.push_back({"bounce", false, copyOf(queue.rays, queue.count)});
+            sets.push_back({"shuffled", false, shuffled(sets.back().rays)});
+        }
+    });
+    device.commands.finish();
+    std::erase_if(sets, [](const RaySet& set) { return set.rays.empty(); });
+    return sets;
+}
+
+} // namespace hyalite::bench

@@ -1,0 +1,65 @@
+// What a ray has still to visit of the hierarchies that it is in: the one over objects, and on top of it that of a mesh.
+// Each walk remembers the depth at which it began, and ends there.
+//
+// On a device without scattered stores to private memory (lavapipe) a store at an index costs a branch for every lane:
+// so the topmost entries stand in variables that are shifted, and what falls off them, rarely, in an array. It is all
+// in variables of the file, because parameters of functions are copied.
+#ifndef HYALITE_STACK_GLSL
+#define HYALITE_STACK_GLSL
+#include "shared/limits.h"
+
+uint stackDepth = 0u; // entries
+uint stackTop0 = 0u;  // the topmost
+uint stackTop1 = 0u;
+uint stackTop2 = 0u;
+uint stackTop3 = 0u;
+uint stackTop4 = 0u;
+uint stackTop5 = 0u;
+uint stackRest[2u * kTraversalStack]; // those beneath, the lowest first: two hierarchies, each checked by the host
+const uint kStackTops = 6u;
+
+// Puts the first `count` (0 to 3) of the entries on the stack, the first of them on top.
+void pushEntries(uint count, uvec3 entries) {
+    bool one = (count & 1u) != 0u;
+    bool two = (count & 2u) != 0u;
+    if (stackDepth + count > kStackTops) {
+        if (count == 3u && stackDepth >= kStackTops - 2u) {
+            stackRest[stackDepth - (kStackTops - 2u)] = stackTop3;
+        }
+        if (two && stackDepth >= kStackTops - 1u) {
+            stackRest[stackDepth - (kStackTops - 1u)] = stackTop4;
+        }
+        if (count != 0u && stackDepth >= kStackTops) {
+            stackRest[stackDepth - kStackTops] = stackTop5;
+        }
+    }
+    stackDepth += count;
+    stackTop5 = one ? stackTop4 : stackTop5;
+    stackTop4 = one ? stackTop3 : stackTop4;
+    stackTop3 = one ? stackTop2 : stackTop3;
+    stackTop2 = one ? stackTop1 : stackTop2;
+    stackTop1 = one ? stackTop0 : stackTop1;
+    stackTop5 = two ? stackTop3 : stackTop5;
+    stackTop4 = two ? stackTop2 : stackTop4;
+    stackTop3 = two ? stackTop1 : stackTop3;
+    stackTop2 = two ? stackTop0 : stackTop2;
+    stackTop0 = count >= 1u ? entries.x : stackTop0;
+    stackTop1 = count >= 2u ? entries.y : stackTop1;
+    stackTop2 = count >= 3u ? entries.z : stackTop2;
+}
+
+// Takes the topmost entry; there must be one.
+uint popEntry() {
+    uint entry = stackTop0;
+    stackTop0 = stackTop1;
+    stackTop1 = stackTop2;
+    stackTop2 = stackTop3;
+    stackTop3 = stackTop4;
+    stackTop4 = stackTop5;
+    --stackDepth;
+    if (stackDepth >= kStackTops) {
+        stackTop5 = stackRest[stackDepth - kStackTops];
+    }
+    return entry;
+}
+#endif
