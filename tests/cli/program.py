@@ -43,10 +43,13 @@ def default_environment():
     return {**own, "XDG_CACHE_HOME": str(Setup.cache)}
 
 
+ON_THE_DEVICE = {"render", "parity", "inspect"}
+
+
 def command_line(arguments):
     """The program with its arguments; what works on the device runs under the validation layers when they are wanted."""
     command = [str(Setup.program), *map(str, arguments)]
-    if "HYALITE_VALIDATION" in os.environ and arguments[0] in ("render", "parity", "inspect") and "reference" not in arguments:
+    if "HYALITE_VALIDATION" in os.environ and ON_THE_DEVICE & set(arguments[:1]) and "reference" not in arguments:
         command.append("--validation")
     return command
 
