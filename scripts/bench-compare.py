@@ -50,15 +50,16 @@ def main():
     parser.add_argument("old")
     parser.add_argument("new")
     parser.add_argument("--rounds", type=int, default=5)
-    parser.add_argument("options", nargs="*", help="of hyalite bench")
-    arguments = parser.parse_args()
+    words = sys.argv[1:]
+    split = words.index("--") if "--" in words else len(words)
+    arguments, options = parser.parse_args(words[:split]), words[split + 1 :]
     if arguments.rounds < 1:
         parser.error("--rounds must be at least 1")
     programs = [build(commit) for commit in (arguments.old, arguments.new)]
     rounds = []
     for number in range(arguments.rounds):
         order = (0, 1) if number % 2 == 0 else (1, 0)  # so that neither always runs on the warmer machine
-        times = {which: measure(programs[which], arguments.options) for which in order}
+        times = {which: measure(programs[which], options) for which in order}
         rounds.append((times[0], times[1]))
     print(f"{'scene':24} {'stage':10} {'old [ms]':>10} {'new [ms]':>10} {'clock':>7} {'cores':>7}")
     for key in rounds[0][0]:
