@@ -57,6 +57,7 @@ void traceObjects(uint root, Ray ray, bool any, inout Hit hit) {
             endless = false;
             traceRange(first, end, ray, any, hit);
             if (any && hit.object != kNone) {
+                stackDepth = bottom;
                 return;
             }
         }

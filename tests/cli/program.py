@@ -43,7 +43,7 @@ def default_environment():
     return {**own, "XDG_CACHE_HOME": str(Setup.cache)}
 
 
-ON_THE_DEVICE = {"render", "parity", "inspect"}
+ON_THE_DEVICE = {"render", "parity", "inspect", "bench"}
 
 
 def command_line(arguments):
