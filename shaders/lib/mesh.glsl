@@ -32,12 +32,13 @@ TriangleEdges triangleEdges(vec3 o, uint triangle) {
     return TriangleEdges(a, cross(ab, bc), cross(bc, c + b), cross(ca, a + c), cross(ab, b + a));
 }
 
-bool intersectTriangle(vec3 o, vec3 d, uint triangle, inout float tMax, inout vec2 uv) {
+// The ray is o + (t - skipped) d.
+bool intersectTriangle(vec3 o, vec3 d, float skipped, uint triangle, inout float tMax, inout vec2 uv) {
     TriangleEdges e = triangleEdges(o, triangle);
     vec3 w = vec3(dot(e.edgeA, d), dot(e.edgeB, d), dot(e.edgeC, d));
     bool inside = min(w.x, min(w.y, w.z)) >= 0.0 || max(w.x, max(w.y, w.z)) <= 0.0;
     float cosine = dot(e.normal, d);
-    float t = dot(e.normal, e.a) / cosine;
+    float t = skipped + dot(e.normal, e.a) / cosine;
     if (!inside || cosine == 0.0 || !(t > 0.0 && t < tMax)) {
         return false;
     }
@@ -53,11 +54,23 @@ vec2 triangleCoordinates(vec3 o, vec3 d, uint triangle) {
     return w.yz / (w.x + w.y + w.z);
 }
 
-// Closest triangle of a mesh, or with `any` the first one found.
+// Closest triangle of a mesh, or with `any` the first one found. Triangles are met from where the ray comes to the
+// mesh: from far away the edge functions of a small one, differences of large products, would lose their digits.
 void traceMesh(uint root, uint object, vec3 o, vec3 d, bool any, inout Hit hit) {
     BoxRay ray = boxRay(o, d);
     uint bottom = stackDepth;
     uint word = root;
+    float skipped = 0.0;
+    if ((root & kLeafBit) == 0u) {
+        uvec4 children;
+        vec4 key = enterChildren(root, ray, hit.t, children);
+        word = nextChild(key, children);
+        if (word == kNone) {
+            return;
+        }
+        skipped = key.x;
+        o += skipped * d;
+    }
     while (true) {
         if ((word & kLeafBit) == 0u) {
             uvec4 children;
@@ -67,7 +80,7 @@ void traceMesh(uint root, uint object, vec3 o, vec3 d, bool any, inout Hit hit) 
             uint first = word & kLeafFirstMask;
             uint end = first + ((word & ~kLeafBit) >> kLeafCountShift);
             for (uint triangle = first; triangle < end; ++triangle) {
-                if (intersectTriangle(o, d, triangle, hit.t, hit.uv)) {
+                if (intersectTriangle(o, d, skipped, triangle, hit.t, hit.uv)) {
                     hit.object = object;
                     hit.primitive = triangle;
                     if (any) {

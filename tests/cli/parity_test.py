@@ -30,7 +30,7 @@ class Scenes(CliTest):
                     self.assertEqual(paths["unexplained"], 0)
                     # Mirrors a thousandth of the scene wide: what rounds a position to 24 bits turns a ray by 1e-4
                     small_mirrors = scene.name == "instances.yaml"
-                    self.assertGreaterEqual(paths["share_stepwise"], 0.997 if small_mirrors else 0.999)
+                    self.assertGreaterEqual(paths["share_stepwise"], 0.995 if small_mirrors else 0.999)
                     # Roundings grow tenfold at each curved surface: in teapots of glass, 3 paths in a hundred part
                     self.assertGreaterEqual(paths["share"], 0.999 if scene.name == "cornell-caustics.yaml" else 0.97)
 
