@@ -47,3 +47,13 @@ class Determinism(CliTest):
                     self.assertTrue(picture == first, "the bytes differ")
                     if environment.get("LP_NATIVE_VECTOR_WIDTH") == "128":  # every CPU has it
                         self.assertIn("128 bits", device, "the variable had no effect")
+
+    def test_each_width_compiles_its_own_code(self):
+        """Mesa would take what it compiled for another width, which calls functions of this one: a crash, or no test."""
+        cache = self.folder / "cache"
+        for width in ("256", "128"):
+            environment = {"XDG_CACHE_HOME": str(cache), "LP_NATIVE_VECTOR_WIDTH": width}
+            self.render("tests/all-shapes.yaml", "ppm", environment)
+            compiled = [path for path in (cache / f"hyalite/driver-width-{width}").rglob("*") if path.is_file()]
+            self.assertGreater(sum(path.stat().st_size for path in compiled), 100_000)
+        self.assertFalse((cache / "mesa_shader_cache").exists() or (cache / "mesa_shader_cache_db").exists())
