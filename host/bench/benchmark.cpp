@@ -159,6 +159,9 @@ std::vector<KernelResult> measureKernels(const gpu::Context& context, const gpu:
         static_cast<void>(compiler.compile(result.kernel)); // now the cache holds it
         std::optional<gpu::Kernel> kernel;
         result.pipelineSeconds = timeOf([&] { kernel.emplace(context, tables, compiler, result.kernel); }).seconds;
+        for (const auto& [binding, format] : kernel->interface().tables) {
+            tables.set(binding, gpu::Buffer(), format);
+        }
         result.firstSeconds = timeOf([&] {
                                   commands.prepare(*kernel);
                                   commands.finish();
