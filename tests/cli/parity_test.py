@@ -50,7 +50,7 @@ class Comparison(CliTest):
         seen = set()
         runs = [
             ("cornell-box.yaml", "--integrator", "path"),
-            ("cornell-box.yaml", "--passes", 2),
+            ("cornell-box.yaml",),
             ("cornell-box.yaml", "--set", "render.shadow_photons=8", "--set", "render.structure=grid"),
             ("cornell-box.yaml", "--set", "render.view=photons"),
             ("glass-ball.yaml",),
@@ -58,7 +58,7 @@ class Comparison(CliTest):
             ("reflections.yaml",),
         ]
         for scene, *options in runs:
-            result = self.succeed_json("parity", scene_file(scene), *small(photons=2048), *options)
+            result = self.succeed_json("parity", scene_file(scene), *small(passes=2, photons=2048), *options)
             seen |= {stage["name"] for stage in result["stages"] if stage["has_twin"]}
         self.assertEqual(kernels - seen, set())
 
