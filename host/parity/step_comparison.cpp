@@ -72,11 +72,13 @@ private:
     }
 
     [[nodiscard]] std::vector<Numbers> numbersOf(const PathStep& step) const {
+        // A lobe may pass on a small share of what came, and is right to that
+        const double arriving = largestComponent(vertex_.weight);
         std::vector<Numbers> numbers{{step.vertex.position, kPathTolerance * sides_.scale()}};
         for (const PathState& next : step.next) {
             const glm::dvec3 weight = key_.isPhoton ? next.photon.power : next.camera.beta;
             numbers.push_back({next.ray.direction, kPathTolerance});
-            numbers.push_back({weight, kPathTolerance * largestComponent(weight)});
+            numbers.push_back({weight, kPathTolerance * std::max(arriving, largestComponent(weight))});
         }
         return numbers;
     }

@@ -13,7 +13,7 @@
 namespace hyalite::parity {
 
 // Positions agree within this share of the scene's scale, directions within this length, throughput and flux within
-// this share of themselves.
+// this share of themselves; those that leave a step, of what came to it if that is more.
 inline constexpr double kPathTolerance = 1e-4;
 
 // Why the step at `vertex` of `path`, or the start of what follows it there, differs from the twin's. None: it does
