@@ -1,5 +1,5 @@
 // Photon paths: their start, and what becomes of them at surfaces.
-#include "parity/twins.h"
+#include "parity/at_hit.h"
 
 #include "reference/bsdf.h"
 #include "reference/projection_map.h"
@@ -154,25 +154,10 @@ struct ScatterStage {
     }
 
     void compare(std::size_t i) const {
-        const Sides& sides = stage.sides;
-        const reference::Ray ray = sides.toTwin(rays[i]);
-        const auto hit = sides.refined(ray, rays[i].from, hits[i]);
-        std::optional<reference::Surface> surface;
-        if (hit) {
-            surface = reference::evaluateSurface(sides.world(), ray, *hit);
-        }
-        stage.compare(
-            i, deviceAnswer(i, surface ? &*surface : nullptr, hit && hit->leaf != reference::kNoLeaf),
-            [&](Nudge nudge) { return twinAnswer(i, hit, nudge); },
-            [&] {
-                return OffenderInputs{
-                    {"photon", std::to_string(paths[i].photon)},
-                    {"depth", std::to_string(args.depth)},
-                    {"origin", describe(dvec3(rays[i].origin))},
-                    {"direction", describe(dvec3(rays[i].direction))},
-                    {"hit", hit ? "object " + std::to_string(hit->object) + " at t = " + describe(hit->t) : "nothing"},
-                    {"power", describe(dvec3(paths[i].power))}};
-            });
+        compareAtHit(*this, i, [&] {
+            return OffenderInputs{{"photon", std::to_string(paths[i].photon)},
+                                  {"power", describe(dvec3(paths[i].power))}};
+        });
     }
 };
 
