@@ -15,6 +15,7 @@ enum class ExitCode : int {
     BadInput = 3,
     Device = 4,
     OutputNotWritten = 5,
+    Interrupted = 6,
 };
 
 // A place in a text file; line and column count from 1, 0 means unknown.

@@ -122,8 +122,10 @@ public:
                 return written == 0 ? EIO : errno;
             }
         }
-        return ::fsync(descriptor_) == 0 ? 0 : errno;
+        return 0;
     }
+
+    [[nodiscard]] int sync() const { return ::fsync(descriptor_) == 0 ? 0 : errno; }
 
     // Takes over the permissions of the file that is being replaced, if there is one.
     [[nodiscard]] int copyModeOf(const std::filesystem::path& target) const {
@@ -151,9 +153,18 @@ private:
 } // namespace
 
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> content) {
+    writeFileAtomically(path, [&](const WriteBytes& write) { write(content); });
+}
+
+void writeFileAtomically(const std::filesystem::path& path, const std::function<void(const WriteBytes&)>& produce) {
     const std::filesystem::path target = resolveTarget(path);
     TemporaryFile temporary(target, path);
-    int failure = temporary.write(content);
+    produce([&](std::span<const std::byte> content) {
+        if (const int failure = temporary.write(content); failure != 0) {
+            throwNotWritten(path, failure);
+        }
+    });
+    int failure = temporary.sync();
     if (failure == 0) {
         failure = temporary.copyModeOf(target);
     }

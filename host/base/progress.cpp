@@ -25,9 +25,9 @@ std::string minutes(double seconds) {
 } // namespace
 
 std::string progressLine(const ProgressState& state) {
-    const auto& [done, total, seconds, timeLimit, error] = state;
+    const auto& [done, total, seconds, timeLimit, error, before] = state;
     double share = static_cast<double>(done) / static_cast<double>(total);
-    double left = share > 0 ? seconds / share - seconds : 0;
+    double left = done > before ? seconds / static_cast<double>(done - before) * static_cast<double>(total - done) : 0;
     if (timeLimit > 0 && timeLimit - seconds < left) {
         left = timeLimit - seconds;
         share = std::min(1.0, seconds / timeLimit);

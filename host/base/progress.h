@@ -13,6 +13,7 @@ struct ProgressState {
     double seconds = 0;               // since the first step began
     double timeLimit = 0;             // [s]; where it comes before the last step it counts instead of it; 0: none
     std::optional<double> error = {}; // shown if known
+    std::size_t before = 0;           // of the steps done, those that took none of the seconds
 };
 
 class ProgressBar {

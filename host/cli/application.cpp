@@ -28,6 +28,7 @@ int parseAndRun(int argc, char** argv) {
     app.require_subcommand(1);
     ExitCode exit = ExitCode::Done;
     addRender(app, exit);
+    addMerge(app);
     addCompare(app, exit);
     addParity(app, exit);
     addInspect(app);

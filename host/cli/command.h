@@ -11,6 +11,7 @@ class App;
 namespace hyalite::cli {
 
 void addRender(CLI::App& app, ExitCode& exit);
+void addMerge(CLI::App& app);
 void addCompare(CLI::App& app, ExitCode& exit);
 void addParity(CLI::App& app, ExitCode& exit);
 void addInspect(CLI::App& app);

@@ -1,5 +1,6 @@
 // `hyalite render`: a scene file to pictures, on the device or by the reference.
 #include "reference/render.h"
+#include "base/interrupt.h"
 #include "base/output_file.h"
 #include "base/progress.h"
 #include "base/stopwatch.h"
@@ -9,12 +10,15 @@
 #include "cli/render_report.h"
 #include "cli/scene_settings.h"
 #include "image/image_io.h"
+#include "render/render_identity.h"
 #include "scene/load_scene.h"
+#include "scene/numbers.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <iostream>
+#include <iterator>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -28,12 +32,16 @@ struct RenderCommand {
     std::string backend = "vulkan";
     DeviceChoice device;
     double time = 0; // [s]; 0: no limit
+    std::string checkpoint;
+    bool resume = false;
+    double checkpointEvery = render::CheckpointOptions().every; // [s]
     std::string savePhotons;
     std::string loadPhotons;
     bool layers = false;
     bool profile = false;
     bool json = false;
     bool quiet = false;
+    std::uint32_t firstPass = 0; // of --passes FIRST:END
     // Options that stand for a key of the scene file
     std::vector<SceneSetting> shorthands{{"--integrator", "render.integrator", {}},
                                          {"--resolution", "camera.resolution", {}},
@@ -57,23 +65,24 @@ void refuseDeviceOptions(const RenderCommand& command) {
     refuse(!command.device.name.empty(), "--device");
     refuse(!command.device.shaders.empty(), "--shaders");
     refuse(command.device.validation, "--validation");
+    refuse(!command.checkpoint.empty(), "--checkpoint");
     refuse(command.profile, "--profile");
     refuse(!command.savePhotons.empty(), "--save-photons");
     refuse(!command.loadPhotons.empty(), "--load-photons");
 }
 
-std::string name(Integrator integrator) {
-    switch (integrator) {
-    case Integrator::Whitted:
-        return "whitted";
-    case Integrator::Ppm:
-        return "ppm";
-    case Integrator::PhotonMap:
-        return "photonmap";
-    case Integrator::Path:
-        return "path";
+// The command that shows a pixel's path in this render, but for the pixel and the pass.
+std::string inspectCommand(const RenderCommand& command) {
+    std::string text = "hyalite inspect " + command.scene;
+    for (const SceneSetting& setting : command.shorthands) {
+        if (setting.value && setting.key != "render.passes") {
+            text += " --set " + setting.key + '=' + *setting.value;
+        }
     }
-    return {};
+    for (const std::string& setting : command.settings) {
+        text += " --set " + setting;
+    }
+    return text;
 }
 
 LayeredImage renderOnDevice(const RenderCommand& command, const Scene& scene, ProgressBar& bar, RenderReport& report) {
@@ -82,18 +91,27 @@ LayeredImage renderOnDevice(const RenderCommand& command, const Scene& scene, Pr
     renderOptions.profile = command.profile;
     renderOptions.timeLimit = command.time;
     renderOptions.onPass = [&](const render::Progress& p) {
-        bar.update({p.passes, p.ofPasses, p.seconds, command.time, p.errorEstimate});
+        bar.update({p.passes, p.ofPasses, p.seconds, command.time, p.errorEstimate, p.resumedFrom});
     };
+    renderOptions.firstPass = command.firstPass;
+    renderOptions.stop = [] { return InterruptWatch::signal() != nullptr; };
+    renderOptions.checkpoint = {command.checkpoint, command.resume, command.checkpointEvery};
     renderOptions.savePhotons = command.savePhotons;
     renderOptions.loadPhotons = command.loadPhotons;
     render::RenderResult result = render::render(device.context(), device.compiler(), scene, renderOptions);
     report.device = device.context().info().name + ", " + device.context().info().driver;
     report.passes = result.passes;
+    report.resumedFrom = result.resumedFrom;
+    report.interrupted = result.stopped;
+    report.checkpointFailure = std::move(result.checkpointFailure);
     report.errorEstimate = result.errorEstimate;
     report.setupSeconds = result.setupSeconds;
     report.renderSeconds = result.renderSeconds;
     report.counts = result.counts;
     report.notes = std::move(result.notes);
+    std::ranges::move(
+        render::faultWarnings(result.faults, result.layers, scene.camera.resolution, inspectCommand(command)),
+        std::back_inserter(report.notes.warnings));
     report.stages = std::move(result.stages);
     device.checkValidation();
     return std::move(result.image);
@@ -110,24 +128,11 @@ LayeredImage renderByReference(const RenderCommand& command, const Scene& scene,
         report.passes = passes;
         report.errorEstimate = error;
         report.renderSeconds = progress.seconds;
-        return render::timeForAnotherPass(progress, command.time) &&
+        report.interrupted = InterruptWatch::signal() != nullptr && passes < scene.render.passes;
+        return !report.interrupted && render::timeForAnotherPass(progress, command.time) &&
                !render::reachesTarget(progress, scene.render.targetError);
     };
     return reference::render(scene, options);
-}
-
-// What a file holds: the picture and, if asked, its layers; a PNG keeps the picture alone.
-std::vector<Layer> layersOf(const LayeredImage& image, bool all) {
-    std::vector<Layer> layers{{"", image.picture}};
-    for (const NamedImage& layer : image.layers) {
-        if (all) {
-            layers.push_back({layer.name, layer.image});
-        }
-    }
-    if (all && image.error) {
-        layers.push_back({"error", *image.error});
-    }
-    return layers;
 }
 
 // Options that have no use with this integrator or these outputs.
@@ -154,12 +159,54 @@ void refuseUnused(const RenderCommand& command, const Scene& scene) {
     }
 }
 
-void renderScene(RenderCommand command) {
+// A checkpoint is somebody's work: only --resume writes over one.
+void checkCheckpoint(const RenderCommand& command) {
+    if (command.checkpoint.empty()) {
+        if (command.resume) {
+            throw Error(ExitCode::WrongUsage, "--resume has no use without the checkpoint to go on from",
+                        "add --checkpoint FILE");
+        }
+        return;
+    }
+    if (!command.resume && std::filesystem::exists(command.checkpoint)) {
+        throw Error(ExitCode::WrongUsage, SourceLocation{command.checkpoint}, "the checkpoint is there already",
+                    "go on from it with --resume, or remove it");
+    }
+    checkWritable(command.checkpoint);
+}
+
+// --passes FIRST:END means those passes alone, with the numbers that they have in a render of all.
+void splitPassRange(RenderCommand& command) {
+    for (SceneSetting& setting : command.shorthands) {
+        const std::size_t colon =
+            setting.key == "render.passes" && setting.value ? setting.value->find(':') : std::string::npos;
+        if (colon == std::string::npos) {
+            continue;
+        }
+        const auto first = parseWhole(setting.value->substr(0, colon));
+        const auto end = parseWhole(setting.value->substr(colon + 1));
+        if (!first || !end || *first < 0 || *first >= *end || *end > std::numeric_limits<std::uint32_t>::max()) {
+            throw Error(ExitCode::WrongUsage, SourceLocation{setting.option},
+                        "no range of passes: '" + *setting.value + "'",
+                        "write FIRST:END, as in 0:64; END is not in it");
+        }
+        command.firstPass = static_cast<std::uint32_t>(*first);
+        setting.value = std::to_string(*end - *first);
+    }
+    if (command.firstPass > 0 && command.backend == "reference") {
+        throw Error(ExitCode::WrongUsage, "--backend reference has no use for a range of passes");
+    }
+}
+
+void renderScene(RenderCommand command, ExitCode& exit) {
     const Stopwatch watch;
     const bool byReference = command.backend == "reference";
     if (byReference) {
         refuseDeviceOptions(command);
     }
+    splitPassRange(command);
+    checkCheckpoint(command);
+    const InterruptWatch watchForSignals;
     Scene scene = loadScene(command.scene);
     applySettings(scene, allSettings(command.shorthands, command.settings));
     if (command.outputs.empty()) {
@@ -172,10 +219,10 @@ void renderScene(RenderCommand command) {
 
     RenderReport report;
     report.scene = command.scene;
-    report.integrator = name(scene.render.integrator);
+    report.integrator = render::nameOf(scene.render.integrator);
     report.backend = command.backend;
     report.seed = scene.render.seed;
-    report.sampler = scene.render.sampler == RandomNumbers::Sobol ? "sobol" : "independent";
+    report.sampler = render::nameOf(scene.render.sampler);
     report.targetError = scene.render.targetError;
     report.resolution = scene.camera.resolution;
     report.outputs = command.outputs;
@@ -185,42 +232,25 @@ void renderScene(RenderCommand command) {
         image =
             byReference ? renderByReference(command, scene, bar, report) : renderOnDevice(command, scene, bar, report);
     }
-    for (const std::string& output : command.outputs) {
-        writeImage(output, layersOf(image, command.layers),
-                   {{"software", "hyalite " HYALITE_VERSION},
-                    {"scene", std::filesystem::path(command.scene).filename().string()},
-                    {"integrator", report.integrator},
-                    {"backend", report.backend},
-                    {"seed", std::to_string(report.seed)},
-                    {"sampler", report.sampler},
-                    {"passes", std::to_string(report.passes)}});
-    }
+    writePictures(command.outputs, image, command.layers, pictureMetadata(report));
     report.totalSeconds = watch.seconds();
     warnOfTarget(report);
 
-    for (const std::string& warning : report.notes.warnings) {
-        std::cerr << "hyalite: warning: " << warning << '\n';
+    printReport(report, {.json = command.json, .profile = command.profile, .quiet = command.quiet});
+    if (report.checkpointFailure) {
+        throw Error(*report.checkpointFailure);
     }
-    if (command.json) {
-        std::cout << jsonReport(report) << '\n';
-        return;
-    }
-    if (command.profile) {
-        std::cout << stageTable(report) << photonTable(report);
-    }
-    if (!command.quiet) {
-        for (const std::string& output : command.outputs) {
-            std::cout << std::filesystem::absolute(output).lexically_normal().string() << ": " << report.resolution.x
-                      << " x " << report.resolution.y << ", " << report.passes
-                      << (report.passes == 1 ? " pass in " : " passes in ") << std::round(10 * report.totalSeconds) / 10
-                      << " s" << errorText(report) << '\n';
-        }
+    if (report.interrupted) {
+        std::cerr << "hyalite: " << InterruptWatch::signal() << ": stopped after " << report.passes
+                  << (report.passes == 1 ? " pass" : " passes") << "; the picture so far is written"
+                  << (command.checkpoint.empty() ? "" : ", and --resume goes on from the checkpoint") << '\n';
+        exit = ExitCode::Interrupted;
     }
 }
 
 } // namespace
 
-void addRender(CLI::App& app, ExitCode&) {
+void addRender(CLI::App& app, ExitCode& exit) {
     const auto command = std::make_shared<RenderCommand>();
     CLI::App* sub = app.add_subcommand("render", "render a scene to pictures");
     sub->add_option("SCENE", command->scene, "scene file (YAML)")->required();
@@ -232,7 +262,7 @@ void addRender(CLI::App& app, ExitCode&) {
     shorthand(0, "ppm (progressive photon mapping), photonmap (in two passes), whitted (recursive ray tracing) or path "
                  "(path tracing, unbiased)");
     shorthand(1, "picture size, WIDTHxHEIGHT");
-    shorthand(2, "passes, each one sample per pixel");
+    shorthand(2, "passes, each one sample per pixel; FIRST:END: a part of them, see merge");
     shorthand(3, "the same as --passes");
     sub->get_option("--samples")->excludes("--passes");
     shorthand(4, "photons emitted per pass");
@@ -248,13 +278,19 @@ void addRender(CLI::App& app, ExitCode&) {
     sub->add_option("--set", command->settings, "set a key of the scene file, e.g. --set render.radius=0.01");
     sub->add_flag("--layers", command->layers,
                   "write the parts that the picture is the sum of, and its standard error, into .exr files too");
+    sub->add_option("--checkpoint", command->checkpoint,
+                    "keep all that was rendered in this file, written now and then and at the end");
+    sub->add_flag("--resume", command->resume, "go on from the checkpoint, if it is there");
+    sub->add_option("--checkpoint-every", command->checkpointEvery, "seconds between checkpoints (60)")
+        ->check(finiteNumber(/*zeroAllowed*/ true))
+        ->needs("--checkpoint");
     sub->add_option("--save-photons", command->savePhotons, "photonmap: write the photon maps to this file");
     sub->add_option("--load-photons", command->loadPhotons,
                     "photonmap: read the photon maps from this file instead of tracing them");
     sub->add_flag("--profile", command->profile, "print a table of the stages' times");
     sub->add_flag("--json", command->json, "print one JSON object instead of text");
     sub->add_flag("--quiet", command->quiet, "print nothing but errors");
-    sub->callback([command] { renderScene(*command); });
+    sub->callback([command, &exit] { renderScene(*command, exit); });
 }
 
 } // namespace hyalite::cli

@@ -1,7 +1,10 @@
 #include "cli/render_report.h"
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <iomanip>
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -62,6 +65,10 @@ std::string jsonReport(const RenderReport& report) {
     object["sampler"] = report.sampler;
     object["resolution"] = {report.resolution.x, report.resolution.y};
     object["passes"] = report.passes;
+    if (report.resumedFrom > 0) {
+        object["resumed_from"] = report.resumedFrom;
+    }
+    object["interrupted"] = report.interrupted;
     object["error_estimate"] = report.errorEstimate ? nlohmann::ordered_json(*report.errorEstimate) : nullptr;
     if (report.targetError > 0) {
         object["target_error"] = report.targetError;
@@ -99,6 +106,51 @@ std::string jsonReport(const RenderReport& report) {
     }
     object["outputs"] = report.outputs;
     return object.dump(2);
+}
+
+Metadata pictureMetadata(const RenderReport& report) {
+    return {
+        {"software", "hyalite " HYALITE_VERSION}, {"scene", std::filesystem::path(report.scene).filename().string()},
+        {"integrator", report.integrator},        {"backend", report.backend},
+        {"seed", std::to_string(report.seed)},    {"sampler", report.sampler},
+        {"passes", std::to_string(report.passes)}};
+}
+
+void writePictures(const std::vector<std::string>& outputs, const LayeredImage& image, bool layers,
+                   const Metadata& metadata) {
+    std::vector<Layer> written{{"", image.picture}};
+    for (const NamedImage& layer : image.layers) {
+        if (layers) {
+            written.push_back({layer.name, layer.image});
+        }
+    }
+    if (layers && image.error) {
+        written.push_back({"error", *image.error});
+    }
+    for (const std::string& output : outputs) {
+        writeImage(output, written, metadata);
+    }
+}
+
+void printReport(const RenderReport& report, const ReportStyle& style) {
+    for (const std::string& warning : report.notes.warnings) {
+        std::cerr << "hyalite: warning: " << warning << '\n';
+    }
+    if (style.json) {
+        std::cout << jsonReport(report) << '\n';
+        return;
+    }
+    if (style.profile) {
+        std::cout << stageTable(report) << photonTable(report);
+    }
+    if (!style.quiet) {
+        for (const std::string& output : report.outputs) {
+            std::cout << std::filesystem::absolute(output).lexically_normal().string() << ": " << report.resolution.x
+                      << " x " << report.resolution.y << ", " << report.passes
+                      << (report.passes == 1 ? " pass in " : " passes in ") << std::round(10 * report.totalSeconds) / 10
+                      << " s" << errorText(report) << '\n';
+        }
+    }
 }
 
 std::string stageTable(const RenderReport& report) {

@@ -1,6 +1,8 @@
 // What a render says of itself afterwards: a line, a table of stages, or one JSON object.
 #pragma once
 
+#include "base/error.h"
+#include "image/image_io.h"
 #include "render/renderer.h"
 
 #include <optional>
@@ -19,6 +21,9 @@ struct RenderReport {
     glm::uvec2 resolution{0};
     std::vector<std::string> outputs;
     std::uint32_t passes = 0;
+    std::uint32_t resumedFrom = 0; // of these, so many were in the checkpoint
+    bool interrupted = false;
+    std::optional<Error> checkpointFailure;
     std::optional<double> errorEstimate; // see docs/metrics.md
     double targetError = 0;              // asked for; 0: none
     double totalSeconds = 0;             // from start to written files
@@ -37,6 +42,21 @@ void warnOfTarget(RenderReport& report);
 
 // For the end of the summary, e.g. ", estimated error 0.0312 (target 0.05 met)"; empty where there is no estimate.
 [[nodiscard]] std::string errorText(const RenderReport& report);
+
+// What .exr files say of their making.
+[[nodiscard]] Metadata pictureMetadata(const RenderReport& report);
+
+// Writes the picture to every file; `layers`: and what it is the sum of, and its error, to those that hold layers.
+void writePictures(const std::vector<std::string>& outputs, const LayeredImage& image, bool layers,
+                   const Metadata& metadata);
+
+// Warnings on stderr, the rest on stdout.
+struct ReportStyle {
+    bool json = false;
+    bool profile = false;
+    bool quiet = false;
+};
+void printReport(const RenderReport& report, const ReportStyle& style);
 
 [[nodiscard]] std::string jsonReport(const RenderReport& report);
 

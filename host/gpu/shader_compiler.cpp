@@ -2,6 +2,7 @@
 #include "gpu/shader_compiler.h"
 
 #include "base/error.h"
+#include "base/fnv.h"
 #include "gpu/shader_sources.h"
 #include "gpu/spirv_cache.h"
 
@@ -152,6 +153,22 @@ SpirV ShaderCompiler::compile(const std::string& kernel) const {
     SpirV spirv = compileSource(kernel, file, sources, texts);
     cache.store(name, spirv);
     return spirv;
+}
+
+std::uint64_t ShaderCompiler::hashOfSources() const {
+    const ShaderSources sources(shaders_);
+    SourceTexts texts;
+    for (const auto& entry : fs::directory_iterator(shaders_ / "kernels")) {
+        if (entry.path().extension() == ".comp") {
+            texts.merge(sources.reach(entry.path()));
+        }
+    }
+    std::uint64_t hash = kFnvStart;
+    for (const auto& [path, text] : texts) {
+        const std::string name = fs::path(path).lexically_relative(shaders_.lexically_normal()).string() + '\n';
+        hash = fnv(std::as_bytes(std::span(text)), fnv(std::as_bytes(std::span(name)), hash));
+    }
+    return hash;
 }
 
 } // namespace hyalite::gpu

@@ -20,6 +20,9 @@ public:
     // shaders folder. Throws Error(BadInput) at file:line of the source that is wrong, naming the kernel.
     [[nodiscard]] SpirV compile(const std::string& kernel) const;
 
+    // A number that changes with any source below the shaders folder.
+    [[nodiscard]] std::uint64_t hashOfSources() const;
+
     [[nodiscard]] const std::filesystem::path& shaders() const { return shaders_; }
 
 private:

@@ -227,6 +227,7 @@ constexpr auto kTable = std::to_array<Tolerance>({
     real("start_gather_rays", "beta", Measure::Vector, kWeight),
     exact("splat_photons", "count", "edge of a pixel or silhouette"),
     real("sum_paths", "color", Measure::Vector, kSum),
+    real("add_gathered_light", "color", Measure::Vector, kRounding),
     real("accumulate_film", "color", Measure::Vector, kRounding),
     real("resolve_film", "color", Measure::Vector, kRounding),
     real("estimate_error", "error", Measure::Vector, kMean),

@@ -48,6 +48,7 @@ constexpr auto kTwins = std::to_array<std::pair<std::string_view, TwinFunction>>
     {"start_gather_rays", compareStartGatherRays},
     {"splat_photons", compareSplatPhotons},
     {"sum_paths", compareSumPaths},
+    {"add_gathered_light", compareAddGatheredLight},
     {"accumulate_film", compareAccumulateFilm},
     {"resolve_film", compareResolveFilm},
     {"estimate_error", compareEstimateError},

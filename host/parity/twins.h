@@ -73,6 +73,7 @@ void compareClassifyVisibility(const Stage& stage);
 void compareSkipShadowRays(const Stage& stage);
 void compareSplatPhotons(const Stage& stage); // twins_film.cpp
 void compareSumPaths(const Stage& stage);
+void compareAddGatheredLight(const Stage& stage);
 void compareAccumulateFilm(const Stage& stage);
 void compareResolveFilm(const Stage& stage);
 void compareEstimateError(const Stage& stage);

@@ -22,6 +22,15 @@ void compareColor(const Stage& stage, std::size_t i, const glm::vec3& device, co
     stage.compareExact(i, a, b);
 }
 
+double toNumber(const shared::FilmSum& sum) {
+    return std::ldexp(sum.low + std::ldexp(sum.middle, 32) + std::ldexp(sum.high, 64),
+                      -static_cast<int>(shared::kFilmFraction));
+}
+
+dvec3 filmColor(const shared::FilmColor& color) {
+    return {toNumber(color.red), toNumber(color.green), toNumber(color.blue)};
+}
+
 constexpr std::size_t kHidden = SIZE_MAX;
 
 // The counter that a photon counts in; kHidden: none, the camera does not see it.
@@ -112,23 +121,33 @@ void compareSumPaths(const Stage& stage) {
     }
 }
 
-void compareAccumulateFilm(const Stage& stage) {
-    const auto args = stage.seen.arguments<shared::AccumulateFilmArguments>();
+void compareAddGatheredLight(const Stage& stage) {
+    const auto args = stage.seen.arguments<shared::AddGatheredLightArguments>();
     const auto colors = stage.seen.before<glm::vec3>(args.colors, args.count);
-    const auto before = stage.seen.before<glm::vec3>(args.film, args.count);
-    const auto after = stage.seen.after<glm::vec3>(args.film, args.count);
+    const auto before = stage.seen.before<glm::vec3>(args.gathered, args.count);
+    const auto after = stage.seen.after<glm::vec3>(args.gathered, args.count);
     for (std::size_t i = 0; i < args.count; ++i) {
         compareColor(stage, i, after[i], dvec3(before[i]) + double{args.scale} * dvec3(colors[i]));
     }
 }
 
+void compareAccumulateFilm(const Stage& stage) {
+    const auto args = stage.seen.arguments<shared::AccumulateFilmArguments>();
+    const auto colors = stage.seen.before<glm::vec3>(args.colors, args.count);
+    const auto before = stage.seen.before<shared::FilmColor>(args.film, args.count);
+    const auto after = stage.seen.after<shared::FilmColor>(args.film, args.count);
+    for (std::size_t i = 0; i < args.count; ++i) {
+        compareColor(stage, i, glm::vec3(filmColor(after[i])), filmColor(before[i]) + dvec3(colors[i]));
+    }
+}
+
 void compareResolveFilm(const Stage& stage) {
     const auto args = stage.seen.arguments<shared::ResolveFilmArguments>();
-    const auto first = stage.seen.before<glm::vec3>(args.first, args.count);
-    const auto second = stage.seen.before<glm::vec3>(args.second, args.count);
+    const auto first = stage.seen.before<shared::FilmColor>(args.first, args.count);
+    const auto second = stage.seen.before<shared::FilmColor>(args.second, args.count);
     const auto image = stage.seen.after<glm::vec3>(args.image, args.count);
     for (std::size_t i = 0; i < args.count; ++i) {
-        compareColor(stage, i, image[i], double{args.scale} * (dvec3(first[i]) + dvec3(second[i])));
+        compareColor(stage, i, image[i], double{args.scale} * (filmColor(first[i]) + filmColor(second[i])));
     }
 }
 
@@ -137,8 +156,8 @@ void compareEstimateError(const Stage& stage) {
     const auto args = stage.seen.arguments<shared::EstimateErrorArguments>();
     const std::size_t layers = std::size_t{args.layers} * args.count;
     const std::size_t chunks = (args.count + shared::kErrorChunk - 1) / shared::kErrorChunk;
-    const auto first = stage.seen.before<glm::vec3>(args.first, layers);
-    const auto second = stage.seen.before<glm::vec3>(args.second, layers);
+    const auto first = stage.seen.before<shared::FilmColor>(args.first, layers);
+    const auto second = stage.seen.before<shared::FilmColor>(args.second, layers);
     const auto errors = stage.seen.after<glm::vec3>(args.errors, args.count);
     const auto sums = stage.seen.after<float>(args.sums, chunks);
     const double n = double{args.firstPasses};
@@ -151,8 +170,8 @@ void compareEstimateError(const Stage& stage) {
         dvec3 b(0);
         for (std::size_t layer = 0; layer < args.layers; ++layer) {
             if ((args.light >> layer & 1U) != 0) {
-                a += dvec3(first[layer * args.count + i]);
-                b += dvec3(second[layer * args.count + i]);
+                a += filmColor(first[layer * args.count + i]);
+                b += filmColor(second[layer * args.count + i]);
             }
         }
         const dvec3 mean = (a + b) / (n + m);

@@ -19,7 +19,21 @@ struct Counts {
     std::uint64_t shadowRaysSaved = 0;       // photonmap: answered by shadow photons
     std::uint64_t causticPhotonsEmitted = 0; // ppm, photonmap: for the caustics alone
     std::uint64_t causticPhotonsStored = 0;
+
+    Counts& operator+=(const Counts& more);
 };
+
+inline Counts& Counts::operator+=(const Counts& more) {
+    cameraRays += more.cameraRays;
+    shadowRays += more.shadowRays;
+    photonRays += more.photonRays;
+    photonsEmitted += more.photonsEmitted;
+    photonsStored += more.photonsStored;
+    shadowRaysSaved += more.shadowRaysSaved;
+    causticPhotonsEmitted += more.causticPhotonsEmitted;
+    causticPhotonsStored += more.causticPhotonsStored;
+    return *this;
+}
 
 // What a user should know of a picture besides the picture.
 struct RenderNotes {

@@ -4,7 +4,6 @@
 #include "base/fnv.h"
 #include "base/output_file.h"
 #include "scene/input_file.h"
-#include "scene/render_seed.h"
 
 #include <bit>
 #include <cstring>
@@ -29,43 +28,11 @@ std::span<const std::byte> bytesOf(const T& value) {
     return std::as_bytes(std::span(&value, 1));
 }
 
-template <class T>
-std::uint64_t fnvOf(const gpu::Array<T>& array, std::uint64_t state) {
-    return fnv(std::as_bytes(array.host()), state);
-}
-
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& what, const std::string& hint) {
     throw Error(ExitCode::BadInput, SourceLocation{path.string(), 0, 0}, what, hint);
 }
 
 } // namespace
-
-std::uint64_t photonFingerprint(const Scene& scene, const DeviceScene& deviceScene) {
-    std::uint64_t state = kFnvStart;
-    state = fnvOf(deviceScene.materials, state);
-    for (shared::LightRecord light : deviceScene.lights.host()) {
-        light.triangles = {}; // where parts of lights stand differs from run to run; the parts themselves follow
-        light.texels = {};
-        light.cdfs = {};
-        state = fnv(bytesOf(light), state);
-    }
-    state = fnvOf(deviceScene.lightTriangles, state);
-    state = fnvOf(deviceScene.lightTexels, state);
-    state = fnvOf(deviceScene.lightCdfs, state);
-    state = fnvOf(deviceScene.textures, state);
-    state = fnvOf(deviceScene.textureCoordinates, state);
-    state = fnvOf(deviceScene.instances, state);
-    state = fnvOf(deviceScene.normals, state);
-    state = fnvOf(deviceScene.nodes, state);
-    state = fnvOf(deviceScene.objects, state);
-    state = fnvOf(deviceScene.triangles, state);
-    const RenderSettings& render = scene.render;
-    const PhotonMapSettings& maps = render.photonMap;
-    const std::array<std::uint32_t, 6> settings{render.photons,     renderSeed(render).sequence,
-                                                render.maxDepth,    maps.causticPhotons,
-                                                maps.projectionMap, maps.shadowPhotons > 0 ? 1U : 0U};
-    return fnv(std::as_bytes(std::span(settings)), state);
-}
 
 void writePhotons(const std::filesystem::path& path, const PhotonLists& lists, std::uint64_t fingerprint) {
     const Header header{.fingerprint = fingerprint,
@@ -83,6 +50,11 @@ void writePhotons(const std::filesystem::path& path, const PhotonLists& lists, s
 PhotonLists readPhotons(const std::filesystem::path& path, std::uint64_t fingerprint) {
     const std::string file = readInputFile(path, std::numeric_limits<std::uint32_t>::max() * sizeof(shared::Photon),
                                            "photon map", SourceLocation{path.string(), 0, 0});
+    return parsePhotons(std::as_bytes(std::span(file)), path, fingerprint);
+}
+
+PhotonLists parsePhotons(std::span<const std::byte> file, const std::filesystem::path& path,
+                         std::uint64_t fingerprint) {
     Header header;
     if (file.size() < sizeof header + sizeof(std::uint64_t)) {
         fail(path, "this is no file of photon maps", "write one with --save-photons");
@@ -101,9 +73,8 @@ PhotonLists readPhotons(const std::filesystem::path& path, std::uint64_t fingerp
     }
     std::uint64_t checksum = 0;
     std::memcpy(&checksum, file.data() + file.size() - sizeof checksum, sizeof checksum);
-    const auto bytes = std::as_bytes(std::span(file));
     if (left != 0 || payload % sizeof(shared::Photon) != 0 ||
-        checksum != fnv(bytes.first(bytes.size() - sizeof checksum))) {
+        checksum != fnv(file.first(file.size() - sizeof checksum))) {
         fail(path, "the file of photon maps is damaged", "write it anew with --save-photons");
     }
     if (header.fingerprint != fingerprint) {
@@ -112,7 +83,7 @@ PhotonLists readPhotons(const std::filesystem::path& path, std::uint64_t fingerp
              "use of shadow_photons have to be the same");
     }
     PhotonLists lists;
-    const char* next = file.data() + sizeof header;
+    const std::byte* next = file.data() + sizeof header;
     std::size_t map = 0;
     for (auto* photons : {&lists.global, &lists.caustic, &lists.shadow}) {
         photons->resize(header.counts.at(map++));

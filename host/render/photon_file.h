@@ -1,13 +1,12 @@
-// Photon maps in a file, with a fingerprint of what they were traced for.
+// Photon maps in a file, with a fingerprint of what they were traced for (see scene_identity.h).
 #pragma once
-
-#include "render/device_scene.h"
 
 #include "shaders/shared/path_records.h"
 
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <vector>
 
 namespace hyalite::render {
@@ -19,14 +18,14 @@ struct PhotonLists {
     std::vector<shared::Photon> shadow;
 };
 
-// A number that changes with everything the photons depend on: the scene as the device sees it, without the camera, and
-// the settings that photons are traced by.
-[[nodiscard]] std::uint64_t photonFingerprint(const Scene& scene, const DeviceScene& deviceScene);
-
 // Throws Error(OutputNotWritten).
 void writePhotons(const std::filesystem::path& path, const PhotonLists& lists, std::uint64_t fingerprint);
 
 // Throws Error(BadInput) for what is no photon file, is damaged, or has another fingerprint.
 [[nodiscard]] PhotonLists readPhotons(const std::filesystem::path& path, std::uint64_t fingerprint);
+
+// The same of a file's content; `path` is for messages.
+[[nodiscard]] PhotonLists parsePhotons(std::span<const std::byte> file, const std::filesystem::path& path,
+                                       std::uint64_t fingerprint);
 
 } // namespace hyalite::render

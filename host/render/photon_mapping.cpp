@@ -1,6 +1,7 @@
 #include "render/photon_mapping.h"
 
 #include "render/photon_file.h"
+#include "render/scene_identity.h"
 
 #include <algorithm>
 
@@ -39,7 +40,7 @@ PhotonMapping::PhotonMapping(Device& device, const Scene& scene, const DeviceSce
       load_(options.loadPhotons), cameraPaths_(device, scene, deviceScene, film.pixelCount()),
       lightSampler_(device, deviceScene, film.pixelCount()), maps_(device, scene, deviceScene),
       startGatherRays_(device.kernel("start_gather_rays")), skipShadowRays_(device.kernel("skip_shadow_rays")),
-      accumulateFilm_(device.kernel("accumulate_film")),
+      addGatheredLight_(device.kernel("add_gathered_light")),
       visiblePoints_(device.context, film.pixelCount(), "visible points"),
       gatherPoints_(device.context, film.pixelCount(), "ends of gathering rays"),
       emitted_(device.context, film.pixelCount(), "emitted light"),
@@ -200,7 +201,8 @@ void PhotonMapping::gatherIndirectLight(std::uint32_t pass) {
             maps_.addIrradiance(gatherPoints_, indirect_, scale);
         } else {
             maps_.estimateGlobal(gatherPoints_, kAllLight, found_, radii_);
-            commands.run(accumulateFilm_, shared::AccumulateFilmArguments{found_, indirect_, pixels, scale}, pixels);
+            commands.run(addGatheredLight_, shared::AddGatheredLightArguments{found_, indirect_, pixels, scale},
+                         pixels);
         }
     }
 }

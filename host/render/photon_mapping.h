@@ -46,7 +46,7 @@ private:
     PhotonMaps maps_;
     gpu::Kernel startGatherRays_;
     gpu::Kernel skipShadowRays_;
-    gpu::Kernel accumulateFilm_;
+    gpu::Kernel addGatheredLight_;
 
     gpu::Array<shared::VisiblePoint> visiblePoints_;
     gpu::Array<shared::VisiblePoint> gatherPoints_; // where gathering rays end

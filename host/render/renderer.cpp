@@ -4,6 +4,7 @@
 #include "render/path.h"
 #include "render/photon_mapping.h"
 #include "render/ppm.h"
+#include "render/scene_identity.h"
 #include "render/whitted.h"
 
 #include <bit>
@@ -41,10 +42,66 @@ std::unique_ptr<PassIntegrator> makeIntegrator(Device& device, const Scene& scen
     return nullptr;
 }
 
+void finishPicture(Device& device, const Film& film, RenderResult& result) {
+    result.image = film.resolve(device);
+    result.errorEstimate = film.estimateError(device);
+    result.passes = film.passes().count();
+    result.faults = film.faults();
+    result.layers = film.layers();
+}
+
+// The passes that are asked for and not there yet, and what they leave.
+void renderPasses(Device& device, const Scene& scene, const RenderOptions& options, Film& film,
+                  PassIntegrator& integrator, Checkpointing& checkpointing, RenderResult& result) {
+    const PassRange range{options.firstPass, options.firstPass + scene.render.passes};
+    result.resumedFrom = film.passes().count();
+    Progress progress;
+    progress.passes = result.resumedFrom;
+    progress.ofPasses = result.resumedFrom + scene.render.passes - film.passes().countWithin(range);
+    progress.resumedFrom = result.resumedFrom;
+    const auto lookAtError = [&] {
+        if (looksAtError(progress.passes)) {
+            progress.errorEstimate = film.estimateError(device);
+        }
+    };
+    lookAtError();
+    const Stopwatch passes;
+    for (std::uint32_t pass = range.begin; progress.passes < progress.ofPasses; ++pass) {
+        if (film.passes().contains(pass)) {
+            continue;
+        }
+        result.stopped = options.stop && options.stop();
+        if (result.stopped || !timeForAnotherPass(progress, options.timeLimit) ||
+            reachesTarget(progress, scene.render.targetError)) {
+            break;
+        }
+        film.beginPass(pass);
+        integrator.renderPass(pass);
+        film.endPass();
+        ++progress.passes;
+        lookAtError();
+        progress.seconds = passes.seconds();
+        checkpointing.save(film, integrator.counts(), progress.seconds, /*now*/ false);
+        if (options.onPass) {
+            options.onPass(progress);
+        }
+    }
+    result.renderSeconds = progress.seconds;
+    if (progress.passes == 0) {
+        throw Error(ExitCode::Interrupted, "interrupted before the first pass was done: there is no picture");
+    }
+    if (progress.passes > progress.resumedFrom) {
+        checkpointing.save(film, integrator.counts(), progress.seconds, /*now*/ true);
+    }
+    result.checkpointFailure = checkpointing.failure();
+    finishPicture(device, film, result);
+}
+
 } // namespace
 
 bool timeForAnotherPass(const Progress& progress, double timeLimit) {
-    return timeLimit <= 0 || progress.passes == 0 || progress.seconds * (1 + 1.0 / progress.passes) <= timeLimit;
+    const std::uint32_t passes = progress.passes - progress.resumedFrom;
+    return timeLimit <= 0 || progress.passes == 0 || passes == 0 || progress.seconds * (1 + 1.0 / passes) <= timeLimit;
 }
 
 bool looksAtError(std::uint32_t passes) {
@@ -71,28 +128,23 @@ RenderResult render(const gpu::Context& context, const gpu::ShaderCompiler& comp
 
     RenderResult result;
     result.setupSeconds = setup.seconds();
-    const Stopwatch passes;
-    Progress progress{.passes = 0, .ofPasses = scene.render.passes, .seconds = 0, .errorEstimate = std::nullopt};
-    while (progress.passes < progress.ofPasses && timeForAnotherPass(progress, options.timeLimit) &&
-           !reachesTarget(progress, scene.render.targetError)) {
-        film.beginPass(progress.passes);
-        integrator->renderPass(options.firstPass + progress.passes);
-        ++progress.passes;
-        if (looksAtError(progress.passes)) {
-            progress.errorEstimate = film.estimateError(device, progress.passes);
-        }
-        progress.seconds = passes.seconds();
-        if (options.onPass) {
-            options.onPass(progress);
-        }
-    }
-    result.image = film.resolve(device, progress.passes);
-    result.errorEstimate = film.estimateError(device, progress.passes);
-    result.passes = progress.passes;
-    result.renderSeconds = progress.seconds;
+    const bool kept = !options.checkpoint.file.empty();
+    Checkpointing checkpointing(options.checkpoint, kept ? identify(scene, deviceScene, compiler) : RenderIdentity());
+    checkpointing.resume(device, film);
+    renderPasses(device, scene, options, film, *integrator, checkpointing, result);
     result.counts = integrator->counts();
+    result.counts += checkpointing.countsBefore();
     result.notes = integrator->notes();
     result.stages = device.commands.times();
+    return result;
+}
+
+RenderResult resolve(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const FilmState& state) {
+    Device device(context, compiler, false);
+    Film film(device, state.resolution, state.layers);
+    film.restore(device, state);
+    RenderResult result;
+    finishPicture(device, film, result);
     return result;
 }
 

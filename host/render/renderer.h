@@ -4,6 +4,7 @@
 #include "gpu/commands.h"
 #include "gpu/shader_compiler.h"
 #include "image/layered_image.h"
+#include "render/checkpointing.h"
 #include "render/device_scene.h"
 #include "render/integrator.h"
 #include "scene/scene.h"
@@ -17,10 +18,11 @@ namespace hyalite::render {
 struct Device;
 
 struct Progress {
-    std::uint32_t passes = 0;            // done
-    std::uint32_t ofPasses = 0;          // asked for
+    std::uint32_t passes = 0;            // done, with those resumed from
+    std::uint32_t ofPasses = 0;          // that there will be
     double seconds = 0;                  // since the first pass began
     std::optional<double> errorEstimate; // when last looked at, see looksAtError
+    std::uint32_t resumedFrom = 0;       // passes done before the first
 };
 
 struct RenderOptions {
@@ -28,6 +30,8 @@ struct RenderOptions {
     std::uint32_t firstPass = 0; // its number
     double timeLimit = 0;        // start no pass that would probably end later than this [s]; 0: no limit
     std::function<void(const Progress&)> onPass; // after every pass
+    std::function<bool()> stop;                  // asked before every pass: whether there shall be no more
+    CheckpointOptions checkpoint;
     // Once, before the first pass: may have the device's commands observed
     std::function<void(Device&, const DeviceScene&)> onUpload;
     std::filesystem::path savePhotons; // photonmap: write the photon maps here; empty: do not
@@ -36,19 +40,29 @@ struct RenderOptions {
 
 struct RenderResult {
     LayeredImage image;
-    std::uint32_t passes = 0;
-    double setupSeconds = 0;             // kernels, scene, hierarchies
-    double renderSeconds = 0;            // passes
-    std::optional<double> errorEstimate; // of the picture, see docs/metrics.md; none of a single pass
+    std::uint32_t passes = 0;               // in the picture
+    std::uint32_t resumedFrom = 0;          // of these, so many were in the checkpoint
+    bool stopped = false;                   // passes are missing because `stop` said so
+    std::vector<FilmFault> faults;          // see FilmState
+    std::vector<LayerKind> layers;          // of the film
+    std::optional<Error> checkpointFailure; // the last checkpoint could not be written
+    double setupSeconds = 0;                // kernels, scene, hierarchies
+    double renderSeconds = 0;               // passes
+    std::optional<double> errorEstimate;    // of the picture, see docs/metrics.md; none of a single pass
     Counts counts;
     RenderNotes notes;
     std::map<std::string, gpu::StageTime> stages; // with profile
 };
 
-// Renders scene.render.passes passes, fewer where the time limit or the target error comes first (one at least).
-// Throws Error(Device) when the device has no room for the scene or fails.
+// Renders scene.render.passes passes, but for those that the checkpoint holds, fewer where the time limit or the target
+// error comes first (one at least). Throws Error(Device) when the device has no room for the scene or fails,
+// Error(Interrupted) when it is stopped before there is a pass to show.
 [[nodiscard]] RenderResult render(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const Scene& scene,
                                   const RenderOptions& options);
+
+// The picture and its error, in the same bits as if this device had rendered all passes of the film.
+[[nodiscard]] RenderResult resolve(const gpu::Context& context, const gpu::ShaderCompiler& compiler,
+                                   const FilmState& film);
 
 // Whether a pass that takes as long as the passes before it on average would end within `timeLimit` [s]; 0: always.
 [[nodiscard]] bool timeForAnotherPass(const Progress& progress, double timeLimit);

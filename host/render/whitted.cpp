@@ -27,7 +27,8 @@ Whitted::Whitted(Device& device, const Scene& scene, const DeviceScene& deviceSc
       sampleLights_(device.kernel("sample_lights")),
       traceShadow_(device.kernel("trace_shadow", deviceScene.specialization)), sumPaths_(device.kernel("sum_paths")),
       compaction_(device), roughLight_(device, deviceScene),
-      level_(device.context, film.pixelCount(), roughLight_.points(film.pixelCount())) {}
+      level_(device.context, film.pixelCount(), roughLight_.points(film.pixelCount())),
+      radiance_(device.context, film.pixelCount(), "radiance") {}
 
 void Whitted::renderPass(std::uint32_t pass) {
     CameraQueue& queue = level_.queue;
@@ -36,6 +37,7 @@ void Whitted::renderPass(std::uint32_t pass) {
                          shared::GenerateCameraRaysArguments{queue.rays, queue.paths, renderSeed(scene_.render),
                                                              deviceScene_.camera, queue.count, pass},
                          queue.count);
+    device_.commands.clear(radiance_.buffer());
     // One level of every pixel's tree of rays at a time
     for (std::uint32_t depth = 1; level_.queue.count > 0; ++depth) {
         // Hits, their emission, and the reflected and refracted rays that go on from them
@@ -43,12 +45,14 @@ void Whitted::renderPass(std::uint32_t pass) {
         // Light straight from every lamp onto diffuse and rough surfaces
         sampleEveryLight(pass);
         // Both belong to the pixel; the paths of a pixel stand together, so that their sum has one order
-        device_.commands.run(sumPaths_,
-                             shared::SumPathsArguments{level_.queue.paths, level_.emitted, level_.direct, film_.sums(0),
-                                                       level_.queue.count},
-                             level_.queue.count);
+        device_.commands.run(
+            sumPaths_,
+            shared::SumPathsArguments{level_.queue.paths, level_.emitted, level_.direct, radiance_, level_.queue.count},
+            level_.queue.count);
         descend();
     }
+    film_.add(device_, 0, radiance_);
+    device_.commands.finish();
 }
 
 void Whitted::shade(std::uint32_t pass, std::uint32_t depth) {

@@ -51,6 +51,7 @@ private:
     CameraCompaction compaction_;
     RoughLight roughLight_;
     Level level_;
+    gpu::Array<glm::vec3> radiance_; // of the pass, by pixel
 };
 
 } // namespace hyalite::render

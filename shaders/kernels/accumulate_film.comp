@@ -1,14 +1,34 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Adds colours to sums: a pass to one layer of the film, a gathering ray to the light of its pixel.
+// Adds a pass to one layer of the film. Here light leaves the floats: what is no radiance is counted and left out.
 #include "shared/kernel_arguments.h"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { AccumulateFilmArguments args; };
 
+FilmSum addValue(FilmSum sum, float value, uint pixel) {
+    uint bits = floatBitsToUint(value);
+    uint fault = filmFault(bits);
+    if (fault == kFilmFaults) {
+        FilmSum more = filmAdd(sum, filmSum(bits));
+        if (filmIsLess(more, sum) == 0u) {
+            return more;
+        }
+        fault = kFilmTooBright;
+    }
+    atomicAdd(args.faults.at[2u * fault], 1u);
+    atomicMin(args.faults.at[2u * fault + 1u], pixel);
+    return sum;
+}
+
 void main() {
     uint i = threadIndex();
     if (i < args.count) {
-        args.film.at[i] += args.scale * args.colors.at[i];
+        vec3 color = args.colors.at[i];
+        FilmColor sum = args.film.at[i];
+        sum.red = addValue(sum.red, color.x, i);
+        sum.green = addValue(sum.green, color.y, i);
+        sum.blue = addValue(sum.blue, color.z, i);
+        args.film.at[i] = sum;
     }
 }

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // The film as a picture: the mean over passes.
 #include "shared/kernel_arguments.h"
+#include "lib/film.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { ResolveFilmArguments args; };
@@ -9,6 +10,6 @@ layout(push_constant, scalar) uniform Push { ResolveFilmArguments args; };
 void main() {
     uint i = threadIndex();
     if (i < args.count) {
-        args.image.at[i] = (args.first.at[i] + args.second.at[i]) * args.scale;
+        args.image.at[i] = (filmColor(args.first.at[i]) + filmColor(args.second.at[i])) * args.scale;
     }
 }

@@ -2,6 +2,7 @@
 // writes, then its numbers; `count` is the number of threads that have work.
 #ifndef HYALITE_SHARED_KERNEL_ARGUMENTS_H
 #define HYALITE_SHARED_KERNEL_ARGUMENTS_H
+#include "film.h"
 #include "grid.h"
 #include "path_records.h"
 #include "photon_map.h"
@@ -435,17 +436,25 @@ struct SumPathsArguments {
     uint count;
 };
 
+// What gathering rays found, added to what their pixels gather.
+struct AddGatheredLightArguments {
+    ColorArray colors;
+    ColorArray gathered; // in and out
+    uint count;          // pixels
+    float scale;         // of the colours
+};
+
 struct AccumulateFilmArguments {
     ColorArray colors;
-    ColorArray film; // in and out: sums over passes
-    uint count;      // pixels
-    float scale;     // of the colours
+    FilmArray film;   // in and out: sums over passes
+    UintArray faults; // in and out, for each of kFilmFaults kinds: how many values, the lowest pixel among theirs
+    uint count;       // pixels
 };
 
 // A layer's sums over the passes of either camera sequence.
 struct ResolveFilmArguments {
-    ColorArray first;
-    ColorArray second;
+    FilmArray first;
+    FilmArray second;
     ColorArray image; // out: both times scale
     uint count;
     float scale; // 1 / passes
@@ -455,8 +464,8 @@ SHARED_CONSTANT kErrorChunk = 64u; // so many pixels' relative squared errors on
 
 // How far the means over the passes of the two camera sequences say that their common mean is from the truth.
 struct EstimateErrorArguments {
-    ColorArray first; // sums over each sequence's passes, layer after layer
-    ColorArray second;
+    FilmArray first; // sums over each sequence's passes, layer after layer
+    FilmArray second;
     ColorArray errors; // out: standard error of each pixel [W/(m^2 sr)]
     FloatArray sums;   // out, one per thread: of variance / (mean^2 + 0.01), over pixels and channels
     uint count;        // pixels

@@ -52,7 +52,7 @@ class Comparison(CliTest):
             ("cornell-box.yaml", "--integrator", "path"),
             ("cornell-box.yaml",),
             ("cornell-box.yaml", "--set", "render.shadow_photons=8", "--set", "render.structure=grid"),
-            ("cornell-box.yaml", "--set", "render.view=photons"),
+            ("cornell-box.yaml", "--set", "render.view=photons", "--set", "render.precomputed_irradiance=false"),
             ("glass-ball.yaml",),
             ("metals.yaml",),
             ("reflections.yaml",),

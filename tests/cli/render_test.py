@@ -135,7 +135,7 @@ class Reports(RenderTest):
         report = self.succeed_json("render", self.cornell, *options)
         elapsed = time.monotonic() - start
         keys = (
-            "version scene integrator backend device seed sampler resolution passes error_estimate seconds counts "
+            "version scene integrator backend device seed sampler resolution passes interrupted error_estimate seconds counts "
             "search_radius caustic_search_radius warnings outputs"
         )
         self.assertEqual(set(report), set(keys.split()))
@@ -194,6 +194,7 @@ class Reports(RenderTest):
             (materials, "ppm"),
             (self.cornell, "path"),
             (self.cornell, "photonmap", "shadow_photons=4", "view=photons", "caustic_photons=2000"),
+            (self.cornell, "photonmap", "precomputed_irradiance=false"),
         ):
             options = ["--integrator", integrator, "--max-depth", "5", "--profile", "--quiet", "-o", "x.png"]
             for setting in settings:

@@ -62,23 +62,24 @@ double meanOf(const std::vector<double>& values) {
 }
 
 // Renders by ppm on the device, without making its kernels anew for each. The integrator and its stages look up the
-// seed in the scene at every pass, and the film goes on adding: a picture is what it has gained.
+// seed in the scene at every pass.
 std::vector<double> progressiveRatios(Scene scene, std::uint32_t renders, const ExpectedPixel& expected) {
     render::Device device(Gpu::shared().context(), Gpu::shared().compiler(), false);
     const render::DeviceScene deviceScene = render::uploadScene(device.context, device.tables, scene);
     render::Film film(device, scene.camera.resolution, render::Ppm::layers());
     render::Ppm ppm(device, scene, deviceScene, film);
+    device.commands.finish();
+    const render::FilmState black = film.state();
     std::vector<double> means;
-    double before = 0;
     for (std::uint32_t seed = 1; seed <= renders; ++seed) {
         scene.render.seed = seed;
+        film.restore(device, black);
         for (std::uint32_t pass = 0; pass < scene.render.passes; ++pass) {
             film.beginPass(pass);
             ppm.renderPass(pass);
+            film.endPass();
         }
-        const double sum = meanOf(pixelRatios(film.resolve(device, scene.render.passes).picture, expected));
-        means.push_back(sum - before);
-        before = sum;
+        means.push_back(meanOf(pixelRatios(film.resolve(device).picture, expected)));
     }
     return means;
 }

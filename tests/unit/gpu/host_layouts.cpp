@@ -85,7 +85,11 @@ std::map<std::string, HostLayout> hostLayouts() {
                 map.grid.bucketMask, map.base, map.count, gathered, radii, radius, filterConstant, maxChange, nearest,
                 kinds, filterKind, count, maxDepth);
     HOST_LAYOUT(SumPathsArguments, paths, emitted, direct, radiance, count);
-    HOST_LAYOUT(AccumulateFilmArguments, colors, film, count, scale);
+    HOST_LAYOUT(FilmSum, low, middle, high);
+    HOST_LAYOUT(FilmColor, red.low, red.middle, red.high, green.low, green.middle, green.high, blue.low, blue.middle,
+                blue.high);
+    HOST_LAYOUT(AddGatheredLightArguments, colors, gathered, count, scale);
+    HOST_LAYOUT(AccumulateFilmArguments, colors, film, faults, count);
     HOST_LAYOUT(ResolveFilmArguments, first, second, image, count, scale);
     HOST_LAYOUT(EstimateErrorArguments, first, second, errors, sums, count, firstPasses, secondPasses, layers, light);
     HOST_LAYOUT(TargetRecord, center, radius);

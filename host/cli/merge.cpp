@@ -1,0 +1,101 @@
+// `hyalite merge`: passes of one render, made anywhere, to the picture that one render of them all makes.
+#include "base/output_file.h"
+#include "base/stopwatch.h"
+#include "cli/command.h"
+#include "cli/open_device.h"
+#include "cli/render_report.h"
+#include "image/image_io.h"
+#include "render/checkpoint.h"
+#include "scene/numbers.h"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+namespace hyalite::cli {
+
+namespace {
+
+struct MergeCommand {
+    std::vector<std::string> parts;
+    std::vector<std::string> outputs;
+    std::string checkpoint;
+    DeviceChoice device;
+    bool layers = false;
+    bool json = false;
+    bool quiet = false;
+};
+
+void checkOutputs(const MergeCommand& command) {
+    if (command.outputs.empty() && command.checkpoint.empty()) {
+        throw Error(ExitCode::WrongUsage, "merge has nothing to write", "add -o picture.png or --checkpoint FILE");
+    }
+    for (const std::string& output : command.outputs) {
+        checkImageWritable(output);
+    }
+    if (!command.checkpoint.empty()) {
+        if (std::filesystem::exists(command.checkpoint)) {
+            throw Error(ExitCode::WrongUsage, SourceLocation{command.checkpoint}, "the checkpoint is there already",
+                        "remove it, or choose another name");
+        }
+        checkWritable(command.checkpoint);
+    }
+}
+
+render::Checkpoint readParts(const std::vector<std::string>& parts) {
+    render::Checkpoint whole = render::readCheckpoint(parts.front());
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+        render::addCheckpoint(whole, render::readCheckpoint(parts[i]), parts[i]);
+    }
+    return whole;
+}
+
+void merge(const MergeCommand& command) {
+    const Stopwatch watch;
+    checkOutputs(command);
+    const render::Checkpoint whole = readParts(command.parts);
+    RenderReport report;
+    report.scene = whole.identity.scene;
+    report.integrator = whole.identity.setting("integrator");
+    report.backend = "vulkan";
+    report.seed = static_cast<std::uint32_t>(parseWhole(whole.identity.setting("render.seed")).value_or(0));
+    report.sampler = whole.identity.setting("render.sampler");
+    report.resolution = whole.film.resolution;
+    report.outputs = command.outputs;
+    report.counts = whole.counts;
+    report.renderSeconds = whole.seconds;
+    report.notes.warnings =
+        render::faultWarnings(whole.film.faults, whole.film.layers, whole.film.resolution, "hyalite inspect SCENE");
+    if (!command.checkpoint.empty()) {
+        render::writeCheckpoint(command.checkpoint, whole);
+    }
+    const OpenDevice device(command.device);
+    const render::RenderResult result = render::resolve(device.context(), device.compiler(), whole.film);
+    report.device = device.context().info().name + ", " + device.context().info().driver;
+    report.passes = result.passes;
+    report.errorEstimate = result.errorEstimate;
+    device.checkValidation();
+    writePictures(command.outputs, result.image, command.layers, pictureMetadata(report));
+    report.totalSeconds = watch.seconds();
+    printReport(report, {.json = command.json, .quiet = command.quiet});
+}
+
+} // namespace
+
+void addMerge(CLI::App& app) {
+    const auto command = std::make_shared<MergeCommand>();
+    CLI::App* sub = app.add_subcommand("merge", "put the passes of several checkpoints together");
+    sub->add_option("PART", command->parts,
+                    "checkpoints of one render, with passes of their own each (render --passes "
+                    "0:64 --checkpoint PART)")
+        ->required();
+    sub->add_option("-o,--output", command->outputs, "picture to write, .png or .exr; may be given several times");
+    sub->add_option("--checkpoint", command->checkpoint, "write all passes to this checkpoint");
+    addDeviceOptions(*sub, command->device);
+    sub->add_flag("--layers", command->layers,
+                  "write the parts that the picture is the sum of, and its standard error, into .exr files too");
+    sub->add_flag("--json", command->json, "print one JSON object instead of text");
+    sub->add_flag("--quiet", command->quiet, "print nothing but errors");
+    sub->callback([command] { merge(*command); });
+}
+
+} // namespace hyalite::cli

@@ -1,0 +1,75 @@
+// All that a film holds: which passes, their exact sums, and what was no radiance. Films of one picture add up.
+#pragma once
+
+#include "image/layered_image.h"
+
+#include "shaders/shared/film.h"
+#include "shaders/shared/random.h"
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hyalite::render {
+
+struct PassRange {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0; // > begin; not itself in the range
+
+    friend bool operator==(const PassRange&, const PassRange&) = default;
+};
+
+class PassSet {
+public:
+    PassSet() = default;
+    explicit PassSet(const std::vector<PassRange>& ranges) {
+        for (const PassRange& range : ranges) {
+            add(range);
+        }
+    }
+
+    // Of passes that are not in the set yet.
+    void add(PassRange range);
+
+    [[nodiscard]] bool contains(std::uint32_t pass) const;
+    [[nodiscard]] std::optional<PassRange> common(const PassRange& range) const; // the first passes of both
+    [[nodiscard]] std::uint32_t count() const;
+    [[nodiscard]] std::uint32_t countWithin(const PassRange& range) const;
+    [[nodiscard]] std::uint32_t count(std::uint32_t sequence) const;               // of those of one camera sequence
+    [[nodiscard]] const std::vector<PassRange>& ranges() const { return ranges_; } // ascending, with gaps between
+    [[nodiscard]] std::string text() const;                                        // "0:64, 128:192"
+
+private:
+    std::vector<PassRange> ranges_;
+};
+
+// Values of one layer that were no radiance.
+struct FilmFault {
+    std::uint64_t count = 0;
+    std::uint32_t pass = 0;  // the first that had one
+    std::uint32_t pixel = 0; // the lowest in that pass
+};
+
+struct FilmState {
+    glm::uvec2 resolution{0};
+    std::vector<LayerKind> layers;
+    PassSet passes;
+    std::vector<FilmFault> faults;                                             // layer after layer, kFilmFaults each
+    std::array<std::vector<shared::FilmColor>, shared::kCameraSequences> sums; // layer after layer
+};
+
+// Takes note of `more` faults beside those noted.
+void addFault(FilmFault& fault, const FilmFault& more);
+
+// Adds the passes of `part`, a film of the same resolution and layers, none of whose passes `film` has.
+void addFilm(FilmState& film, const FilmState& part);
+
+// A sentence for each layer and kind of fault. The picture is rendered again by `command`, an hyalite inspect.
+[[nodiscard]] std::vector<std::string> faultWarnings(const std::vector<FilmFault>& faults,
+                                                     const std::vector<LayerKind>& layers, glm::uvec2 resolution,
+                                                     const std::string& command);
+
+} // namespace hyalite::render

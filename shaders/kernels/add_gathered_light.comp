@@ -1,0 +1,14 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Adds what a gathering ray found to the light of its pixel.
+#include "shared/kernel_arguments.h"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { AddGatheredLightArguments args; };
+
+void main() {
+    uint i = threadIndex();
+    if (i < args.count) {
+        args.gathered.at[i] += args.scale * args.colors.at[i];
+    }
+}
