@@ -1,11 +1,13 @@
 #include "cli/open_device.h"
 
 #include "base/error.h"
+#include "cli/number_check.h"
 #include "cli/shader_folder.h"
 #include "gpu/self_test.h"
 
 #include <cstdlib>
 #include <filesystem>
+#include <iostream>
 #include <string_view>
 
 namespace hyalite::cli {
@@ -45,11 +47,19 @@ gpu::ContextOptions optionsOf(const DeviceChoice& choice) {
 void addDeviceOptions(CLI::App& sub, DeviceChoice& choice) {
     sub.add_option("--device", choice.name, "part of a device's name, or its number (see hyalite doctor)");
     sub.add_option("--shaders", choice.shaders, "folder of shaders to use instead of the installed ones");
+    sub.add_option("--device-timeout", choice.timeout, "seconds that the device may take for part of a pass (1800)")
+        ->check(finiteNumber(/*zeroAllowed*/ false));
     sub.add_flag("--validation", choice.validation, "check every Vulkan call with the validation layers");
 }
 
 OpenDevice::OpenDevice(const DeviceChoice& choice)
     : context_(optionsOf(choice)), compiler_(findShaders(choice.shaders), cacheFolder()) {
+    // Whoever waits for a device that hangs, as destructors do, hangs too: the program ends here
+    gpu::setWatchdog(context_, {.limit = choice.timeout, .onStuck = [](const std::string& what) {
+                                    std::cerr << "hyalite: " << what << '\n';
+                                    std::cerr.flush();
+                                    std::_Exit(static_cast<int>(ExitCode::Device));
+                                }});
     gpu::selfTest(context_, compiler_);
 }
 

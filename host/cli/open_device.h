@@ -3,6 +3,7 @@
 
 #include "gpu/context.h"
 #include "gpu/shader_compiler.h"
+#include "gpu/watchdog.h"
 
 #include <CLI/CLI.hpp>
 #include <string>
@@ -13,9 +14,10 @@ struct DeviceChoice {
     std::string name;    // see gpu::ContextOptions
     std::string shaders; // folder; empty: those installed
     bool validation = false;
+    double timeout = gpu::Watchdog().limit; // [s]
 };
 
-// --device, --shaders and --validation.
+// --device, --shaders, --validation and --device-timeout.
 void addDeviceOptions(CLI::App& sub, DeviceChoice& choice);
 
 class OpenDevice {

@@ -32,6 +32,15 @@ struct TexelTables::Impl {
     std::vector<vk::raii::BufferView> views; // one a binding
     std::vector<TexelFormat> formats;        // of the views
     std::vector<std::uint64_t> addresses;    // of what they show
+
+    // Puts a view of the buffer into the set; it must live as long as it is there.
+    [[nodiscard]] vk::raii::BufferView show(std::uint32_t binding, const Buffer::Impl& shown, TexelFormat format) const;
+
+    // In the checked build: what kernels know of the buffers, and report of their indices.
+    Buffer checks;
+    vk::raii::BufferView checksView = nullptr;
+    void describeBuffers() const;                                                          // before a dispatch
+    [[nodiscard]] std::string indexOutside(const std::vector<std::string>& sources) const; // after it: "" or what was
 };
 
 } // namespace hyalite::gpu

@@ -2,11 +2,12 @@
 #include "gpu/commands.h"
 
 #include "gpu/buffer_impl.h"
+#include "gpu/checked_kernels.h"
 #include "gpu/kernel_impl.h"
 #include "shaders/shared/limits.h"
 
 #include <algorithm>
-#include <limits>
+#include <set>
 
 namespace hyalite::gpu {
 namespace {
@@ -57,7 +58,8 @@ struct Commands::Impl {
     std::uint64_t threadsRecorded = 0; // in it
     vk::raii::Fence fence = nullptr;
     std::vector<vk::raii::QueryPool> queries;
-    std::vector<Span> spans; // of the work that is not finished; span i has timestamps 2 i and 2 i + 1
+    std::vector<Span> spans;      // of the work that is not finished; span i has timestamps 2 i and 2 i + 1
+    std::set<std::string> stages; // of the work that is not finished
     std::map<std::string, StageTime> times;
     DispatchObserver* observer = nullptr;
 
@@ -75,6 +77,8 @@ struct Commands::Impl {
     template <class Body>
     void record(const Span& span, const Body& body);
     void addTimes();
+    // Until all that was submitted with the fence is done, or the watchdog has enough.
+    void wait() const;
 };
 
 const vk::raii::CommandBuffer& Commands::Impl::recorder() {
@@ -115,6 +119,7 @@ void Commands::Impl::writeTimestamp(std::size_t index) {
 
 template <class Body>
 void Commands::Impl::record(const Span& span, const Body& body) {
+    stages.insert(span.name);
     if (timed) {
         writeTimestamp(2 * spans.size());
     }
@@ -139,6 +144,27 @@ void Commands::Impl::addTimes() {
         time.threads += spans[i].threads;
     }
     spans.clear();
+}
+
+void Commands::Impl::wait() const {
+    const auto limit = std::uint64_t(1e9 * std::max(0.0, context.watchdog.limit));
+    const vk::Result result = context.device.waitForFences(*fence, VK_TRUE, limit);
+    if (result == vk::Result::eTimeout) {
+        std::string names;
+        for (const std::string& stage : stages) {
+            names += (names.empty() ? "" : ", ") + stage;
+        }
+        const Error stuck(ExitCode::Device,
+                          context.info.name + " has not finished within " +
+                              std::to_string(std::uint64_t(context.watchdog.limit)) + " s (stages " + names + ')',
+                          "it hangs, or the work is too much for it: --device-timeout allows more; a checkpoint keeps "
+                          "what was done before");
+        if (context.watchdog.onStuck) {
+            context.watchdog.onStuck(stuck.what());
+        }
+        throw Error(stuck);
+    }
+    requireSuccess(result, "waiting for the device");
 }
 
 Commands::Commands(const Context& context, const TexelTables& tables, bool timed)
@@ -172,8 +198,18 @@ void Commands::run(const Kernel& kernel, std::span<const std::byte> arguments, s
                                                 " in another format than it was set in");
         }
     }
+    if constexpr (kCheckedKernels) {
+        finish();
+        impl_->tables.describeBuffers();
+    }
     if (impl_->observer == nullptr) {
         record(kernel, arguments, threads);
+        if constexpr (kCheckedKernels) {
+            finish();
+            if (const std::string what = impl_->tables.indexOutside(implementation.sources); !what.empty()) {
+                throw Error(ExitCode::Device, "kernel '" + kernel.name() + "': " + what);
+            }
+        }
         return;
     }
     const Dispatch dispatch{kernel, arguments, threads};
@@ -248,10 +284,9 @@ void Commands::finish() {
         using Stage = vk::PipelineStageFlagBits2;
         recordBarrier(impl_->recorder(), Stage::eHost, vk::AccessFlagBits2::eHostRead);
         impl_->submit(*impl_->fence);
-        const vk::Fence fence = *impl_->fence;
-        requireSuccess(impl_->context.device.waitForFences(fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max()),
-                       "waiting for the device");
-        impl_->context.device.resetFences(fence);
+        impl_->wait();
+        impl_->context.device.resetFences(*impl_->fence);
+        impl_->stages.clear();
         impl_->addTimes();
         impl_->pool.reset();
         impl_->used = 0;

@@ -1,5 +1,7 @@
 // Makes the instance, the device and its queue, and listens to the validation layer.
 #include "gpu/context_impl.h"
+
+#include "gpu/checked_kernels.h"
 #include "gpu/driver_hint.h"
 
 #include <algorithm>
@@ -67,11 +69,14 @@ vk::raii::Device makeDevice(const Context::Impl& impl) {
     const vk::PhysicalDeviceVulkan12Features features12{
         .pNext = &features13, .scalarBlockLayout = VK_TRUE, .bufferDeviceAddress = VK_TRUE};
     const std::array extensions{VK_EXT_MEMORY_BUDGET_EXTENSION_NAME};
+    // Checked kernels compute with addresses
+    const vk::PhysicalDeviceFeatures features{.shaderInt64 = kCheckedKernels ? VK_TRUE : VK_FALSE};
     return {impl.physical, vk::DeviceCreateInfo{.pNext = &features12,
                                                 .queueCreateInfoCount = 1,
                                                 .pQueueCreateInfos = &queue,
                                                 .enabledExtensionCount = impl.memoryBudget ? 1U : 0U,
-                                                .ppEnabledExtensionNames = extensions.data()}};
+                                                .ppEnabledExtensionNames = extensions.data(),
+                                                .pEnabledFeatures = &features}};
 }
 
 void readLimits(Context::Impl& impl) {
@@ -146,6 +151,10 @@ std::span<std::byte> Context::memoryAt(std::uint64_t address) const {
 
 std::uint32_t Context::validationMessages() const {
     return impl_->log.messages;
+}
+
+void setWatchdog(const Context& context, Watchdog watchdog) {
+    context.impl().watchdog = std::move(watchdog);
 }
 
 void Context::Impl::nameObject(vk::ObjectType type, std::uint64_t handle, const std::string& name) const {

@@ -3,6 +3,7 @@
 
 #include "gpu/context.h"
 #include "gpu/vulkan.h"
+#include "gpu/watchdog.h"
 
 #include <atomic>
 #include <map>
@@ -32,6 +33,7 @@ struct Context::Impl {
     std::uint64_t timestampMask = 0;                       // the bits of a timestamp that count
     double secondsPerTick = 0;                             // of a timestamp
     std::map<std::uint64_t, std::span<std::byte>> buffers; // that exist, by device address
+    Watchdog watchdog;
     void nameObject(vk::ObjectType type, std::uint64_t handle,
                     const std::string& name) const; // for validation messages
 };

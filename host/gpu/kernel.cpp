@@ -2,6 +2,7 @@
 #include "gpu/kernel_impl.h"
 
 #include "gpu/buffer_impl.h"
+#include "gpu/checked_kernels.h"
 #include "shaders/shared/limits.h"
 
 namespace hyalite::gpu {
@@ -79,6 +80,10 @@ std::shared_ptr<const Kernel::Impl> make(const Context::Impl& context, const Tex
     kernel->name = name;
     const SpirV spirv = compiler.compile(name);
     kernel->interface = reflect(spirv);
+    if constexpr (kCheckedKernels) {
+        kernel->interface.tables.erase(kCheckBinding);
+        kernel->sources = sourcesOf(compiler, name);
+    }
     const std::filesystem::path source = compiler.shaders() / "kernels" / (name + ".comp");
     checkInterface(*kernel, context, tables.views.size(), {.file = source.string()});
     checked("making kernel '" + name + '\'', [&] {

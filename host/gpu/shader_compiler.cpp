@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/fnv.h"
+#include "gpu/checked_kernels.h"
 #include "gpu/shader_sources.h"
 #include "gpu/spirv_cache.h"
 
@@ -17,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // Changes whenever the options below change what comes out of the same source.
-constexpr const char* kCacheFormat = "hyalite 1, vulkan 1.3, spirv 1.6";
+constexpr const char* kCacheFormat =
+    kCheckedKernels ? "hyalite 1, vulkan 1.3, spirv 1.6, checked" : "hyalite 1, vulkan 1.3, spirv 1.6";
 
 constexpr auto kMessages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
 
@@ -99,7 +101,8 @@ SpirV compileSource(const std::string& kernel, const fs::path& file, const Shade
     const std::string name = file.string();
     const char* names = name.c_str();
     shader.setStringsWithLengthsAndNames(&source, &length, &names, 1);
-    shader.setPreamble("#extension GL_GOOGLE_include_directive : require\n");
+    shader.setPreamble(kCheckedKernels ? "#extension GL_GOOGLE_include_directive : require\n#define HYALITE_CHECKED\n"
+                                       : "#extension GL_GOOGLE_include_directive : require\n");
     shader.setEnvInput(glslang::EShSourceGlsl, EShLangCompute, glslang::EShClientVulkan, 100);
     shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_3);
     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_6);
@@ -138,7 +141,7 @@ SpirV ShaderCompiler::compile(const std::string& kernel) const {
     if (!fs::is_regular_file(file)) {
         throw Error(ExitCode::BadInput, "no kernel '" + kernel + "' (" + file.string() + " is not there)");
     }
-    const SourceTexts texts = sources.reach(file);
+    SourceTexts texts = sources.reach(file);
     std::string key = std::string(kCacheFormat) + '\n' + compilerVersion() + '\n';
     for (const auto& [path, text] : texts) {
         // Where the folder stands does not matter, what it holds does.
@@ -149,6 +152,14 @@ SpirV ShaderCompiler::compile(const std::string& kernel) const {
     const std::string name = kernel + '-' + SpirvCache::key(key);
     if (std::optional<SpirV> cached = cache.load(name)) {
         return *std::move(cached);
+    }
+    if constexpr (kCheckedKernels) {
+        std::uint32_t number = 0;
+        for (auto& [path, text] : texts) {
+            const bool checksItself = fs::path(path).filename() == "checked.glsl";
+            text = checksItself ? text : withBoundChecks(text, number);
+            ++number;
+        }
     }
     SpirV spirv = compileSource(kernel, file, sources, texts);
     cache.store(name, spirv);

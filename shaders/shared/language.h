@@ -41,10 +41,19 @@ using glm::vec4;
 #define SHARED_FUNCTION
 #define SHARED_CONSTANT const uint
 #define SHARED_FLOAT const float
+#ifdef HYALITE_CHECKED
+#include "lib/checked.glsl"
+// Of one element: what is added to an array is counted in elements, and so finds the one that is asked for.
+#define DEVICE_ARRAY(Type, Name)                                                                                       \
+    layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Name {                                         \
+        Type at[1];                                                                                                    \
+    }
+#else
 #define DEVICE_ARRAY(Type, Name)                                                                                       \
     layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Name {                                         \
         Type at[];                                                                                                     \
     }
+#endif
 
 #endif
 #endif

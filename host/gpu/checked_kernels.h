@@ -1,0 +1,31 @@
+// The checked build of the kernels (preset `checked`): every index into an array of device memory, a private array or a
+// table goes through a check of its bounds (shaders/lib/checked.glsl). An index outside is reported with its kernel,
+// source line and thread, and reads or writes element 0 instead.
+#pragma once
+
+#include "gpu/shader_compiler.h"
+
+#include <string>
+#include <vector>
+
+namespace hyalite::gpu {
+
+#ifdef HYALITE_CHECKED_KERNELS
+inline constexpr bool kCheckedKernels = true;
+#else
+inline constexpr bool kCheckedKernels = false;
+#endif
+
+// The binding, beyond all tables, where kernels find how long every buffer is.
+inline constexpr std::uint32_t kCheckBinding = 31;
+
+// A shader's text with its accesses rewritten: `x.at[i]` to `(x + checkedIndex(x, x + 1, i, site)).at [0]`, `a[i]` of
+// an array that the text declares to `a[checkedEntry(i, a.length(), site)]`, `texelFetch(t, i)` to `texelFetch(t,
+// checkedTexel(t, i, site))`. A site is the line, and above kSiteLineBits `file`.
+inline constexpr std::uint32_t kSiteLineBits = 16;
+[[nodiscard]] std::string withBoundChecks(const std::string& text, std::uint32_t file);
+
+// The files that a kernel is made of, in the order of their numbers in sites.
+[[nodiscard]] std::vector<std::string> sourcesOf(const ShaderCompiler& compiler, const std::string& kernel);
+
+} // namespace hyalite::gpu
