@@ -53,7 +53,7 @@ void readDirectionalLight(Reader& reader, const std::filesystem::path& /*folder*
     readStrength(reader, "irradiance", light.irradiance, kIrradiance);
     const auto center = reader.find("center");
     if (const auto radius = reader.find("radius")) {
-        light.beam.emplace();
+        light.beam = DirectionalLight::Beam{};
         radius->read(light.beam->radius, kLength);
     }
     if (center) {

@@ -6,6 +6,7 @@ import signal
 import subprocess
 import time
 
+from kills import kill_renders
 from program import BAD_INPUT, OUTPUT, SCENE, TIMEOUT, USAGE, CliTest, Setup, command_line, default_environment, scene_file
 
 INTERRUPTED = 6
@@ -196,3 +197,9 @@ class Signals(CheckpointTest):
         process.communicate(timeout=TIMEOUT)
         self.assertEqual(process.returncode, -signal.SIGINT)
         self.assertEqual(self.contents(), {})
+
+
+class Kills(CliTest):
+    def test_a_render_killed_at_any_moment_leaves_whole_files_and_goes_on(self):
+        kills, _, _ = kill_renders(str(Setup.program), 4, environment=default_environment())
+        self.assertEqual(kills, 4)

@@ -1,0 +1,85 @@
+"""Kills renders at random moments (SIGKILL) and looks at what they leave: PROGRAM COUNT [SEED].
+
+Each render goes on from the checkpoint of the one before. After every kill the checkpoint must be whole or not there yet,
+never hold fewer passes than before, and a picture that is there must be whole. A render that gets to its end must have
+made the bytes of one that nobody killed; then the next begins anew.
+"""
+
+import json
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import time
+
+SCENE = """hyalite: 1
+camera: {position: [0, 0, 4], resolution: [48, 48]}
+render: {passes: 300, photons: 2000, caustic_photons: 0}
+materials: {gray: {type: diffuse}}
+lights: [{type: point, position: [0, 1, 2]}]
+objects: [{shape: {type: sphere, radius: 1}, material: gray}]
+"""
+WHOLE = ["render", "scene.yaml", "--quiet"]
+KEPT = ["--checkpoint", "kept", "--resume", "--checkpoint-every", "0", "-o", "picture.exr"]
+
+
+def run(program, folder, arguments, environment):
+    return subprocess.run([program, *arguments], cwd=folder, env=environment, capture_output=True, text=True, check=False,
+                          timeout=600)
+
+
+def passes_kept(program, folder, environment):
+    """How many passes the checkpoint holds; 0: it is not there."""
+    if not (folder / "kept").exists():
+        return 0
+    result = run(program, folder, ["merge", "kept", "-o", "merged.exr", "--json"], environment)
+    if result.returncode != 0:
+        raise AssertionError(f"a kill has damaged the checkpoint: {result.stderr}")
+    return json.loads(result.stdout)["passes"]
+
+
+def kill_renders(program, count, seed=1, environment=None):
+    """Returns how many kills hit a render that was running, how many renders came to their end, and leftovers."""
+    choose = random.Random(seed)
+    kills = ends = 0
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        (folder / "scene.yaml").write_text(SCENE)
+        begin = time.monotonic()
+        result = run(program, folder, [*WHOLE, "-o", "whole.exr"], environment)
+        if result.returncode != 0:
+            raise AssertionError(result.stderr)
+        whole = (folder / "whole.exr").read_bytes()
+        longest = 0.8 * (time.monotonic() - begin)
+        before = 0
+        while kills < count:
+            process = subprocess.Popen([program, *WHOLE, *KEPT], cwd=folder, env=environment, stderr=subprocess.PIPE)
+            try:
+                process.communicate(timeout=choose.uniform(0, longest))
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.communicate()
+                kills += 1
+                passes = passes_kept(program, folder, environment)
+                if passes < before:
+                    raise AssertionError(f"{before} passes were kept, and after a kill {passes}")
+                before = passes
+                if (folder / "picture.exr").exists() and (folder / "picture.exr").read_bytes() != whole:
+                    raise AssertionError("a kill has left half a picture")
+                continue
+            if process.returncode != 0 or (folder / "picture.exr").read_bytes() != whole:
+                raise AssertionError(f"exit code {process.returncode}, or other bytes than those of one render")
+            ends += 1
+            before = 0
+            (folder / "kept").unlink()
+            (folder / "picture.exr").unlink()
+        leftovers = len(list(folder.glob(".hyalite-*.tmp")))
+    return kills, ends, leftovers
+
+
+if __name__ == "__main__":
+    hit, ended, left = kill_renders(str(pathlib.Path(sys.argv[1]).resolve()), int(sys.argv[2]),
+                                    int(sys.argv[3]) if len(sys.argv) > 3 else 1)
+    print(f"{hit} kills: every checkpoint and picture whole; {ended} renders came to their end with the right bytes; "
+          f"{left} temporary files left behind")

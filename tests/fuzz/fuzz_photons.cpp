@@ -1,0 +1,12 @@
+// Files of photon maps, with and without a checksum that fits.
+#include "fuzz/fuzz_input.h"
+#include "render/photon_file.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace hyalite;
+    constexpr std::uint64_t kFingerprint = 0;
+    fuzz::expectAnswer(
+        [&] { static_cast<void>(render::parsePhotons(std::as_bytes(std::span(data, size)), "maps", kFingerprint)); });
+    return fuzz::expectAnswer(
+        [&] { static_cast<void>(render::parsePhotons(fuzz::withChecksum(data, size), "maps", kFingerprint)); });
+}
