@@ -4,12 +4,13 @@ set -euo pipefail
 
 usage() {
     cat <<'END'
-usage: scripts/test.sh [full|fast|debug|asan] [ctest options]
+usage: scripts/test.sh [full|fast|debug|asan|checked] [ctest options]
 
   full    every test, with the Vulkan validation layers on (the default)
   fast    the tests not labelled slow, without the layers: for the inner loop
   debug   every test of a debug build
   asan    every test of a build with the address and undefined-behaviour sanitizers
+  checked every test, with kernels that check their indices (slow)
 
 Missing Debian packages are installed (as root or with sudo). A skipped test, or none at all, is a failure.
 END
@@ -24,7 +25,7 @@ choice=()
 case $kind in
 full) preset=validation ;;
 fast) preset=release choice=(-LE slow) ;;
-debug | asan) preset=$kind ;;
+debug | asan | checked) preset=$kind ;;
 --help) usage && exit ;;
 *) usage >&2 && exit 2 ;;
 esac

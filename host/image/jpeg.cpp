@@ -21,6 +21,37 @@ constexpr std::size_t kPixelsPerBlock = 64;
     throw Error(ExitCode::BadInput, SourceLocation{fileName}, "damaged JPEG file: " + what);
 }
 
+// Huffman tables of more than 256 codes, which stb_image up to 2.27 writes beyond its own: a table begins with its
+// number and sixteen counts of codes. Wherever a segment of tables might begin, since stb finds segments in its own
+// way.
+bool hasOverfullTable(std::span<const std::byte> file) {
+    constexpr std::size_t kCounts = 16;
+    constexpr std::size_t kMostCodes = 256;
+    for (std::size_t mark = 0; mark + 4 <= file.size(); ++mark) {
+        if (file[mark] != std::byte{0xff} || file[mark + 1] != std::byte{0xc4}) {
+            continue;
+        }
+        const auto length =
+            std::to_integer<std::size_t>(file[mark + 2]) << 8U | std::to_integer<std::size_t>(file[mark + 3]);
+        const std::size_t end = std::min(mark + 2 + length, file.size());
+        for (std::size_t at = mark + 4; at < end;) {
+            const unsigned number = std::to_integer<unsigned>(file[at]);
+            std::size_t codes = 0;
+            for (const std::byte count : file.subspan(at + 1, std::min(kCounts, file.size() - at - 1))) {
+                codes += std::to_integer<std::size_t>(count);
+            }
+            if (number >> 4U > 1 || (number & 15U) > 3) {
+                break; // no table, and stb refuses it
+            }
+            if (codes > kMostCodes) {
+                return true;
+            }
+            at += 1 + kCounts + codes;
+        }
+    }
+    return false;
+}
+
 } // namespace
 
 bool looksLikeJpeg(std::span<const std::byte> file) {
@@ -31,6 +62,9 @@ bool looksLikeJpeg(std::span<const std::byte> file) {
 Image decodeJpeg(std::span<const std::byte> file, const std::string& fileName, Encoding encoding) {
     if (!std::in_range<int>(file.size())) {
         throw Error(ExitCode::BadInput, SourceLocation{fileName}, "the file is larger than 2 GiB");
+    }
+    if (hasOverfullTable(file)) {
+        throwBad(fileName, "a Huffman table of more than 256 codes");
     }
     const auto* bytes = reinterpret_cast<const unsigned char*>(file.data());
     const int size = static_cast<int>(file.size());

@@ -4,8 +4,12 @@
 #include "base/error.h"
 #include "image/srgb.h"
 
+#include <algorithm>
+#include <array>
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
 #include <stb/stb_image_write.h>
 #include <vector>
 
@@ -49,6 +53,16 @@ TEST_CASE("a JPEG file is decoded as light or as numbers") {
     for (std::size_t i = 0; i < light.pixels.size(); ++i) {
         CHECK_THAT(light.pixels[i].x, WithinAbs(linearFromSrgb(double{numbers.pixels[i].x}), 1e-6));
     }
+}
+
+TEST_CASE("a JPEG file whose Huffman table has more codes than there are is refused before it is decoded") {
+    std::vector<std::byte> file = twoColors();
+    const std::array<std::byte, 2> mark{std::byte{0xff}, std::byte{0xc4}};
+    const auto table = std::ranges::search(file, mark).begin();
+    REQUIRE(table != file.end());
+    std::fill_n(table + 5, 2, std::byte{0xff}); // two of the sixteen counts: 510 codes at least
+    CHECK_THROWS_WITH(decodeJpeg(file, "t.jpg", Encoding::Srgb),
+                      Catch::Matchers::ContainsSubstring("more than 256 codes"));
 }
 
 TEST_CASE("a damaged JPEG file is refused by name") {
