@@ -89,7 +89,9 @@ public:
     std::vector<T> array(std::size_t count) {
         const auto from = bytes(std::min(count, left_.size()) * sizeof(T)); // no overflow: one byte each at least
         std::vector<T> values(count);
-        std::memcpy(values.data(), from.data(), from.size());
+        if (count > 0) { // nothing may not be copied from nowhere
+            std::memcpy(values.data(), from.data(), from.size());
+        }
         return values;
     }
     template <class T>

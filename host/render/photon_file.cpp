@@ -87,7 +87,9 @@ PhotonLists parsePhotons(std::span<const std::byte> file, const std::filesystem:
     std::size_t map = 0;
     for (auto* photons : {&lists.global, &lists.caustic, &lists.shadow}) {
         photons->resize(header.counts.at(map++));
-        std::memcpy(photons->data(), next, photons->size() * sizeof(shared::Photon));
+        if (!photons->empty()) { // nothing may not be copied to nowhere
+            std::memcpy(photons->data(), next, photons->size() * sizeof(shared::Photon));
+        }
         next += photons->size() * sizeof(shared::Photon);
     }
     return lists;
