@@ -131,26 +131,52 @@ std::string compilerVersion() {
 ShaderCompiler::ShaderCompiler(fs::path shaders, fs::path cache)
     : shaders_(std::move(shaders)), cache_(std::move(cache)) {}
 
-SpirV ShaderCompiler::compile(const std::string& kernel) const {
-    const ShaderSources sources(shaders_);
+struct ShaderCompiler::Sources {
+    ShaderSources folder;
+    fs::path file;
+    SourceTexts texts;
+    std::string nameInCache;
+};
+
+ShaderCompiler::Sources ShaderCompiler::sourcesOf(const std::string& kernel) const {
     const fs::path file = (shaders_ / "kernels" / (kernel + ".comp")).lexically_normal();
     if (!fs::is_regular_file(file)) {
         throw Error(ExitCode::BadInput, "no kernel '" + kernel + "' (" + file.string() + " is not there)");
     }
-    const SourceTexts texts = sources.reach(file);
+    Sources sources{ShaderSources(shaders_), file, {}, {}};
+    sources.texts = sources.folder.reach(file);
+    for (const auto& [path, text] : replaced_) {
+        if (const auto found = sources.texts.find((shaders_ / path).lexically_normal().string());
+            found != sources.texts.end()) {
+            found->second = text;
+        }
+    }
     std::string key = std::string(kCacheFormat) + '\n' + compilerVersion() + '\n';
-    for (const auto& [path, text] : texts) {
+    for (const auto& [path, text] : sources.texts) {
         // Where the folder stands does not matter, what it holds does.
         key += fs::path(path).lexically_relative(shaders_.lexically_normal()).string() + '\n' +
                std::to_string(text.size()) + '\n' + text;
     }
+    sources.nameInCache = kernel + '-' + SpirvCache::key(key);
+    return sources;
+}
+
+std::string ShaderCompiler::nameInCache(const std::string& kernel) const {
+    return sourcesOf(kernel).nameInCache;
+}
+
+std::optional<SpirV> ShaderCompiler::fromCache(const std::string& nameInCache) const {
+    return SpirvCache(cache_).load(nameInCache);
+}
+
+SpirV ShaderCompiler::compile(const std::string& kernel) const {
+    const Sources sources = sourcesOf(kernel);
     const SpirvCache cache(cache_);
-    const std::string name = kernel + '-' + SpirvCache::key(key);
-    if (std::optional<SpirV> cached = cache.load(name)) {
+    if (std::optional<SpirV> cached = cache.load(sources.nameInCache)) {
         return *std::move(cached);
     }
-    SpirV spirv = compileSource(kernel, file, sources, texts);
-    cache.store(name, spirv);
+    SpirV spirv = compileSource(kernel, sources.file, sources.folder, sources.texts);
+    cache.store(sources.nameInCache, spirv);
     return spirv;
 }
 

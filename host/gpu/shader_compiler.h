@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,16 +17,31 @@ public:
     // `shaders`: the folder that holds kernels/, lib/ and shared/. `cache`: where compiled kernels are kept, named by
     // a hash of all their source text and of the compiler's version; empty: no cache.
     explicit ShaderCompiler(std::filesystem::path shaders, std::filesystem::path cache = {});
+    virtual ~ShaderCompiler() = default;
+    ShaderCompiler(const ShaderCompiler&) = default;
+    ShaderCompiler& operator=(const ShaderCompiler&) = default;
+
+    // From now on these texts stand in place of files of the shaders folder, named relative to it.
+    void replace(std::map<std::string, std::string> texts) { replaced_ = std::move(texts); }
 
     // Compiles kernels/<kernel>.comp. #include "lib/x.glsl" is looked for beside the including file, then in the
     // shaders folder. Throws Error(BadInput) at file:line of the source that is wrong, naming the kernel.
-    [[nodiscard]] SpirV compile(const std::string& kernel) const;
+    [[nodiscard]] virtual SpirV compile(const std::string& kernel) const;
+
+    // What the kernel is called in the cache: another name whenever any text that it reaches is another. Throws
+    // Error(BadInput) where it is not there.
+    [[nodiscard]] std::string nameInCache(const std::string& kernel) const;
+    [[nodiscard]] std::optional<SpirV> fromCache(const std::string& nameInCache) const;
 
     [[nodiscard]] const std::filesystem::path& shaders() const { return shaders_; }
 
 private:
+    struct Sources;
+    [[nodiscard]] Sources sourcesOf(const std::string& kernel) const;
+
     std::filesystem::path shaders_;
     std::filesystem::path cache_;
+    std::map<std::string, std::string> replaced_;
 };
 
 } // namespace hyalite::gpu

@@ -1,6 +1,7 @@
 // See texture.h.
 #include "reference/texture.h"
 
+#include "reference/custom_textures.h"
 #include "reference/world.h"
 
 #include <cmath>
@@ -41,6 +42,17 @@ dvec3 evaluate(const ImageTexture& texture, const dvec2& uv, const dvec3& /*posi
         }
     }
     return sum;
+}
+
+dvec3 evaluate(const CustomTexture& texture, const dvec2& uv, const dvec3& position) {
+    const CustomTextureTwin twin = customTextureTwin(texture.code->function);
+    if (twin == nullptr) {
+        throw Error(ExitCode::WrongUsage, SourceLocation{texture.code->file},
+                    "the texture function '" + texture.code->function +
+                        "' is GLSL alone: the reference has no twin of it",
+                    "render it with --backend vulkan, or write the twin in host/reference/custom_textures.cpp");
+    }
+    return glm::clamp(twin(position, uv, texture.parameters), 0.0, 1.0);
 }
 
 void multiplyColor(Diffuse& model, const dvec3& factor) {

@@ -1,6 +1,7 @@
 #include "render/renderer.h"
 
 #include "base/stopwatch.h"
+#include "render/custom_code.h"
 #include "render/path.h"
 #include "render/photon_mapping.h"
 #include "render/ppm.h"
@@ -9,8 +10,6 @@
 #include <bit>
 
 namespace hyalite::render {
-
-namespace {
 
 std::vector<LayerKind> layersOf(const Scene& scene) {
     switch (scene.render.integrator) {
@@ -41,8 +40,6 @@ std::unique_ptr<PassIntegrator> makeIntegrator(Device& device, const Scene& scen
     return nullptr;
 }
 
-} // namespace
-
 bool timeForAnotherPass(const Progress& progress, double timeLimit) {
     return timeLimit <= 0 || progress.passes == 0 || progress.seconds * (1 + 1.0 / progress.passes) <= timeLimit;
 }
@@ -60,7 +57,9 @@ bool reachesTarget(const Progress& progress, double targetError) {
 RenderResult render(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const Scene& scene,
                     const RenderOptions& options) {
     const Stopwatch setup;
-    Device device(context, compiler, options.profile);
+    gpu::ShaderCompiler withCustomCode(compiler);
+    withCustomCode.replace(customCode(scene));
+    Device device(context, withCustomCode, options.profile);
     const DeviceScene deviceScene = uploadScene(context, device.tables, scene);
     Film film(device, scene.camera.resolution, layersOf(scene));
     const auto integrator = makeIntegrator(device, scene, deviceScene, film, options);

@@ -10,11 +10,13 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace hyalite::render {
 
 struct Device;
+class Film;
 
 struct Progress {
     std::uint32_t passes = 0;            // done
@@ -49,6 +51,12 @@ struct RenderResult {
 // Throws Error(Device) when the device has no room for the scene or fails.
 [[nodiscard]] RenderResult render(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const Scene& scene,
                                   const RenderOptions& options);
+
+// The layers of the film that the scene's integrator fills, and that integrator; references are kept.
+[[nodiscard]] std::vector<LayerKind> layersOf(const Scene& scene);
+[[nodiscard]] std::unique_ptr<PassIntegrator> makeIntegrator(Device& device, const Scene& scene,
+                                                             const DeviceScene& deviceScene, const Film& film,
+                                                             const RenderOptions& options);
 
 // Whether a pass that takes as long as the passes before it on average would end within `timeLimit` [s]; 0: always.
 [[nodiscard]] bool timeForAnotherPass(const Progress& progress, double timeLimit);

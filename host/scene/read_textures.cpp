@@ -3,6 +3,7 @@
 
 #include "image/exr.h"
 #include "image/jpeg.h"
+#include "scene/custom_code.h"
 #include "scene/input_file.h"
 #include "scene/scene_limits.h"
 #include "scene/spelling.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr Range kFraction{0, 1};
 constexpr Range kCell{kSmallestLength, kLargestLength};
+constexpr Range kParameter{-1e30, 1e30}; // the kernels' numbers are floats
 
 TextureModel readChecker(Reader& reader, const std::filesystem::path& /*folder*/) {
     constexpr std::array<Choice<bool>, 2> kSpaces{{{"world", true}, {"uv", false}}};
@@ -44,10 +46,29 @@ TextureModel readImageTexture(Reader& reader, const std::filesystem::path& folde
     return decodeTexture(std::as_bytes(std::span(bytes)), path.string(), encoding);
 }
 
+TextureModel readCustomTexture(Reader& reader, const std::filesystem::path& folder) {
+    const Value file = reader.require("file");
+    CustomTexture texture;
+    if (const auto parameters = reader.find("parameters")) {
+        const std::size_t count = parameters->list().size();
+        if (count > 4) {
+            parameters->fail("a custom texture has at most 4 parameters");
+        }
+        const std::vector<double> values = parameters->numbers(count, kParameter);
+        for (std::size_t i = 0; i < count; ++i) {
+            texture.parameters[static_cast<int>(i)] = values[i];
+        }
+    }
+    reader.finish();
+    texture.code = readCustomCode(file, folder, "vec3");
+    return texture;
+}
+
 using ReadModel = TextureModel (*)(Reader&, const std::filesystem::path&);
-constexpr std::array<Choice<ReadModel>, 2> kTextures{{
+constexpr std::array<Choice<ReadModel>, 3> kTextures{{
     {"checker", readChecker},
     {"image", readImageTexture},
+    {"custom", readCustomTexture},
 }};
 
 std::size_t findTexture(const Value& name, const Scene& scene) {
@@ -62,10 +83,10 @@ std::size_t findTexture(const Value& name, const Scene& scene) {
     failUnknownWord(name, "texture", known);
 }
 
-// A surface needs no coordinates for a checker in the world.
+// A surface needs no coordinates for a checker in the world, nor for code, which has the place in the world too.
 bool needsCoordinates(const Texture& texture) {
     const auto* checker = std::get_if<Checker>(&texture.model);
-    return checker == nullptr || !checker->inWorld;
+    return checker != nullptr ? !checker->inWorld : std::holds_alternative<ImageTexture>(texture.model);
 }
 
 // The leaves of a csg answer for themselves.

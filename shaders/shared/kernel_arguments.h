@@ -340,6 +340,7 @@ struct NearestPhotonsArguments {
 SHARED_CONSTANT kFilterNone = 0u;
 SHARED_CONSTANT kFilterCone = 1u;
 SHARED_CONSTANT kFilterGaussian = 2u;
+SHARED_CONSTANT kFilterCustom = 3u; // see lib/custom_filter.glsl
 
 struct EstimateRadianceArguments {
     VisiblePointArray visiblePoints;
@@ -440,6 +441,20 @@ struct AccumulateFilmArguments {
     ColorArray film; // in and out: sums over passes
     uint count;      // pixels
     float scale;     // of the colours
+};
+
+// What show_surface draws of the first surface that a ray meets.
+SHARED_CONSTANT kShowNormals = 0u; // of shading, each coordinate from [-1, 1] to [0, 1]
+SHARED_CONSTANT kShowDepth = 1u;   // distance along the ray [m]
+
+struct ShowSurfaceArguments {
+    RayArray rays;
+    HitArray hits;
+    NormalArray normals;
+    InstanceArray instances;
+    ColorArray colors; // out, one per ray: black where nothing was hit
+    uint count;
+    uint shown; // kShow…
 };
 
 // A layer's sums over the passes of either camera sequence.

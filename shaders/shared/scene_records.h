@@ -142,10 +142,12 @@ SHARED_CONSTANT kTexelsPerCoordinates = 2u;
 // from the top:
 //   image:   0 (kTextureImage, first texel, width, height) as bits
 //   checker: 0 (kTextureChecker… as bits, first colour)  1 (cells per metre or per unit of u and v, second colour)
+//   custom:  0 (kTextureCustom, number among the scene's custom textures, -, -) as bits  1 its parameters
 SHARED_CONSTANT kTexelsPerTexture = 2u;
 SHARED_CONSTANT kTextureImage = 0u;
 SHARED_CONSTANT kTextureCheckerWorld = 1u;
 SHARED_CONSTANT kTextureCheckerUv = 2u;
+SHARED_CONSTANT kTextureCustom = 3u; // see lib/custom_texture.glsl
 
 // What surface evaluation needs of an object beyond its texels; one per object.
 struct InstanceRecord {
@@ -173,7 +175,8 @@ SHARED_CONSTANT kLeafFirstMask = 0x07ffffffu;
 #define TABLE_PHOTONS 3
 #define TABLE_TEXTURES 4
 #define TABLE_TEXTURE_COORDINATES 5
-#define TABLE_COUNT 6
+#define TABLE_DEBUG 6 // see lib/debug.glsl
+#define TABLE_COUNT 7
 
 SHARED_END
 #endif

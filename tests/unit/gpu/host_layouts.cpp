@@ -88,6 +88,7 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(AccumulateFilmArguments, colors, film, count, scale);
     HOST_LAYOUT(ResolveFilmArguments, first, second, image, count, scale);
     HOST_LAYOUT(EstimateErrorArguments, first, second, errors, sums, count, firstPasses, secondPasses, layers, light);
+    HOST_LAYOUT(ShowSurfaceArguments, rays, hits, normals, instances, colors, count, shown);
     HOST_LAYOUT(TargetRecord, center, radius);
     HOST_LAYOUT(EmitCausticPhotonsArguments, lights, targets, rays, paths, count, lightCount, targetCount, sequence);
     HOST_LAYOUT(CastShadowPhotonsArguments, rays, hits, paths, materials, normals, instances, photons, nextRays,
