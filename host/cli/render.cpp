@@ -9,6 +9,8 @@
 #include "cli/render_report.h"
 #include "cli/scene_settings.h"
 #include "image/image_io.h"
+#include "render/buffer_dump.h"
+#include "render/device.h"
 #include "scene/load_scene.h"
 
 #include <CLI/CLI.hpp>
@@ -30,6 +32,7 @@ struct RenderCommand {
     double time = 0; // [s]; 0: no limit
     std::string savePhotons;
     std::string loadPhotons;
+    std::vector<std::string> dumps; // STAGE:FIELD
     bool layers = false;
     bool profile = false;
     bool json = false;
@@ -60,6 +63,7 @@ void refuseDeviceOptions(const RenderCommand& command) {
     refuse(command.profile, "--profile");
     refuse(!command.savePhotons.empty(), "--save-photons");
     refuse(!command.loadPhotons.empty(), "--load-photons");
+    refuse(!command.dumps.empty(), "--dump");
 }
 
 std::string name(Integrator integrator) {
@@ -86,6 +90,17 @@ LayeredImage renderOnDevice(const RenderCommand& command, const Scene& scene, Pr
     };
     renderOptions.savePhotons = command.savePhotons;
     renderOptions.loadPhotons = command.loadPhotons;
+    std::vector<render::DumpRequest> requests;
+    for (const std::string& dump : command.dumps) {
+        requests.push_back(render::dumpRequest(dump));
+        checkWritable(requests.back().file);
+    }
+    render::BufferDump dump(device.context(), std::move(requests));
+    if (!command.dumps.empty()) {
+        renderOptions.onUpload = [&](render::Device& renderer, const render::DeviceScene&) {
+            renderer.commands.observe(&dump);
+        };
+    }
     render::RenderResult result = render::render(device.context(), device.compiler(), scene, renderOptions);
     report.device = device.context().info().name + ", " + device.context().info().driver;
     report.passes = result.passes;
@@ -96,6 +111,7 @@ LayeredImage renderOnDevice(const RenderCommand& command, const Scene& scene, Pr
     report.notes = std::move(result.notes);
     report.stages = std::move(result.stages);
     device.checkValidation();
+    dump.checkComplete();
     return std::move(result.image);
 }
 
@@ -251,6 +267,10 @@ void addRender(CLI::App& app, ExitCode&) {
     sub->add_option("--save-photons", command->savePhotons, "photonmap: write the photon maps to this file");
     sub->add_option("--load-photons", command->loadPhotons,
                     "photonmap: read the photon maps from this file instead of tracing them");
+    sub->add_option("--dump", command->dumps,
+                    "write an array that a stage works on, after its first dispatch (or @N: number N), to "
+                    "STAGE.FIELD.npy, e.g. trace_closest:hits.t")
+        ->type_name("STAGE:FIELD[@N]");
     sub->add_flag("--profile", command->profile, "print a table of the stages' times");
     sub->add_flag("--json", command->json, "print one JSON object instead of text");
     sub->add_flag("--quiet", command->quiet, "print nothing but errors");

@@ -15,6 +15,8 @@ struct StructMember {
     std::string name; // "camera.width" inside a struct member
     std::uint32_t offset = 0;
     std::uint32_t size = 0;
+    std::string type = {}; // GLSL's, e.g. "vec3"; of a device array that of its elements, e.g. "Ray"
+    bool isArray = false;  // a device array: the member holds its address
 };
 
 // What the SPIR-V says of itself.
