@@ -33,6 +33,8 @@ int parseAndRun(int argc, char** argv) {
     addInspect(app);
     addDoctor(app, exit);
     addBench(app);
+    addLive(app);
+    addLiveWorker(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
