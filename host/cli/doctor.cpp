@@ -3,6 +3,7 @@
 #include "cli/command.h"
 #include "cli/shader_folder.h"
 #include "gpu/self_test.h"
+#include "live/live_server.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -96,6 +97,20 @@ Check examineValidation() {
             .needed = false};
 }
 
+Check examineEditor() {
+    if (live::hasEditor()) {
+        return {.name = "editor",
+                .passed = true,
+                .detail = "CodeMirror is part of hyalite live",
+                .mend = {},
+                .needed = false};
+    }
+    return {.name = "editor",
+            .detail = "hyalite live was built without CodeMirror: its editor is a plain text field",
+            .mend = "scripts/install-deps.sh, then build again",
+            .needed = false};
+}
+
 Diagnosis diagnose(const DoctorOptions& options) {
     Diagnosis diagnosis;
     std::vector<Check>& checks = diagnosis.checks;
@@ -111,6 +126,7 @@ Diagnosis diagnose(const DoctorOptions& options) {
         checks.push_back(examine("self-test", [&] { return testDevice(*context, *compiler); }));
     }
     checks.push_back(examineValidation());
+    checks.push_back(examineEditor());
     return diagnosis;
 }
 

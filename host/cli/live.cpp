@@ -33,9 +33,9 @@ struct LiveCommand {
 
 // Where kernels that were compiled once are found again: the user's cache, or for who has none a folder for this
 // process.
-std::filesystem::path cacheOfLive() {
+std::filesystem::path cacheOfLive(pid_t server) {
     const std::filesystem::path folder = cacheFolder();
-    return folder.empty() ? std::filesystem::temp_directory_path() / ("hyalite-" + std::to_string(getppid())) : folder;
+    return folder.empty() ? std::filesystem::temp_directory_path() / ("hyalite-" + std::to_string(server)) : folder;
 }
 
 std::vector<std::string> workerArguments(const DeviceChoice& device) {
@@ -76,6 +76,10 @@ void runLive(LiveCommand command) {
         options.supervisor.settings[setting.substr(0, equals)] = setting.substr(equals + 1);
     }
     live::serve(std::move(options));
+    if (cacheFolder().empty()) {
+        std::error_code ignored; // it is the system's to clean
+        std::filesystem::remove_all(cacheOfLive(getpid()), ignored);
+    }
 }
 
 } // namespace
@@ -111,7 +115,7 @@ void addLiveWorker(CLI::App& app) {
     sub->callback([command] {
         const OpenDevice device(command->device);
         command->options.shaders = device.compiler().shaders();
-        command->options.cache = cacheOfLive();
+        command->options.cache = cacheOfLive(getppid());
         live::runWorker(device.context(), command->options);
     });
 }

@@ -11,6 +11,9 @@
 
 namespace hyalite::live {
 
+// Waiting for one to be made, among other things.
+inline constexpr const char* kBetweenKernels = "preparing kernels";
+
 // Thrown out of a pass that is to be given up.
 struct Interrupted {};
 
@@ -28,7 +31,7 @@ public:
         pulse_.begin(dispatch.kernel.name(), true);
     }
     void after(const gpu::Dispatch& dispatch) override {
-        pulse_.end();
+        pulse_.begin(kBetweenKernels, false);
         prints_.collect(dispatch.kernel.name());
         if (also_ != nullptr) {
             also_->after(dispatch);
@@ -39,7 +42,6 @@ public:
     [[nodiscard]] std::uint32_t threadsOfPiece() const override { return 1U << 15U; }
     void between() override {
         if (mayStop_ && isUnwanted_()) {
-            pulse_.end();
             throw Interrupted();
         }
     }

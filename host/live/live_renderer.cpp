@@ -85,7 +85,7 @@ private:
 
 LiveRenderer::LiveRenderer(const gpu::Context& context, ReloadingCompiler& compiler, Pulse& pulse,
                            std::function<bool()> isUnwanted)
-    : context_(context), compiler_(compiler), device_(context, compiler, /*timed*/ true),
+    : context_(context), compiler_(compiler), pulse_(pulse), device_(context, compiler, /*timed*/ true),
       prints_(context, device_.tables), guard_(pulse, prints_, std::move(isUnwanted)) {
     device_.commands.observe(&guard_);
 }
@@ -188,6 +188,7 @@ std::unique_ptr<LiveRenderer::Run> LiveRenderer::makeRun(Scene scene, std::optio
 }
 
 void LiveRenderer::begin(bool isPreview) {
+    const Activity activity(pulse_, kBetweenKernels);
     drop();
     Scene scene = scene_;
     if (isPreview) {
@@ -207,6 +208,7 @@ void LiveRenderer::begin(bool isPreview) {
 }
 
 void LiveRenderer::renderPass() {
+    const Activity activity(pulse_, kBetweenKernels);
     const Stopwatch watch;
     prints_.listen(!run_->isPreview && run_->passes == 0, view_.debugPixel);
     timesBefore_ = device_.commands.times();
@@ -232,6 +234,7 @@ bool LiveRenderer::isDone() const {
 }
 
 LiveRenderer::Frame LiveRenderer::frame() {
+    const Activity activity(pulse_, kBetweenKernels);
     Frame frame;
     guard_.mayStop(false); // a pass has been paid for
     frame.image = run_->film->resolve(device_, run_->passes);
@@ -251,6 +254,7 @@ parity::RecordedPath LiveRenderer::inspect(std::uint32_t pixel) {
         throw Error(ExitCode::WrongUsage, SourceLocation{.file = code->file},
                     "this code of the scene has no twin: there is nothing to compare a path with");
     }
+    const Activity activity(pulse_, kBetweenKernels);
     guard_.mayStop(false);
     prints_.listen(false, shared::kNone);
     Scene scene = scene_;

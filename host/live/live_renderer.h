@@ -89,6 +89,7 @@ private:
 
     const gpu::Context& context_;
     ReloadingCompiler& compiler_;
+    Pulse& pulse_;
     render::Device device_;
     DebugPrints prints_;
     DispatchGuard guard_;

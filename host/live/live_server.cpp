@@ -241,7 +241,7 @@ void serve(ServerOptions options) {
     httplib::Server server;
     server.new_task_queue = [] { return new httplib::ThreadPool(24); }; // each page holds one in /api/state
     server.set_payload_max_length(kLongestBody);
-    server.set_keep_alive_timeout(30);
+    server.set_keep_alive_timeout(2); // so long may Ctrl-C take
     const int port = listenAt(server, options);
     const Access access(options.address, port, isLoopback(options.address) ? std::string() : randomToken());
     const auto say = options.supervisor.say;

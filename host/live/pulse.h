@@ -47,4 +47,16 @@ private:
     Shared* shared_ = nullptr;
 };
 
+// Work that is not a kernel's, as long as it exists.
+class Activity {
+public:
+    Activity(Pulse& pulse, std::string_view work) : pulse_(pulse) { pulse_.begin(work, false); }
+    ~Activity() { pulse_.end(); }
+    Activity(const Activity&) = delete;
+    Activity& operator=(const Activity&) = delete;
+
+private:
+    Pulse& pulse_;
+};
+
 } // namespace hyalite::live

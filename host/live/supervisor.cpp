@@ -161,9 +161,13 @@ std::set<std::string> Supervisor::unproven() const {
 void Supervisor::hasEnded(const std::string& how, const std::optional<Pulse::Work>& work, bool tookTooLong) {
     const bool inKernel = work && work->isKernel;
     std::string line = inKernel ? "kernel '" + work->name + "' " : "the worker ";
-    line += tookTooLong
-                ? "did not end within " + std::to_string(static_cast<int>(options_.limit)) + " s and was stopped"
-                : how;
+    if (!tookTooLong) {
+        line += how;
+    } else if (inKernel) {
+        line += "did not end within " + std::to_string(static_cast<int>(options_.limit)) + " s and was stopped";
+    } else {
+        line += "was stopped: it has been " + work->name + " for too long";
+    }
     // Who was new is to blame: the kernel that ran or, where that had proved good, all that were
     std::set<std::string> blamed = unproven();
     if (inKernel && blamed.contains(work->name)) {

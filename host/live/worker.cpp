@@ -129,7 +129,7 @@ private:
         const std::set<std::string> changed = compiler_.takeChanged();
         const std::vector<std::string> names(changed.begin(), changed.end());
         const auto before = compiler_.running();
-        pulse_.begin("compiling kernels", false);
+        const Activity activity(pulse_, "compiling kernels");
         parallelFor(names.size(), 1, [&](std::size_t i, std::size_t) {
             try {
                 static_cast<void>(compiler_.compile(names[i]));
@@ -137,7 +137,6 @@ private:
                 return; // told with all errors
             }
         });
-        pulse_.end();
         std::set<std::string> others;
         const auto after = compiler_.running();
         std::ranges::copy_if(names, std::inserter(others, others.end()), [&](const std::string& kernel) {
@@ -179,7 +178,7 @@ private:
     }
 
     void loadScene() {
-        pulse_.begin("loading the scene", false);
+        const Activity activity(pulse_, "loading the scene");
         sceneError_.reset();
         runError_.reset();
         try {
@@ -190,7 +189,6 @@ private:
             sceneError_ = error;
             state_ = renderer_.isLoaded() ? State::Fresh : State::Stuck;
         }
-        pulse_.end();
         tellErrors();
     }
 
