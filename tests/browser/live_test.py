@@ -125,7 +125,7 @@ class Page(Live):
         path.write_text(path.read_text() + "float oops() { return missing; }\n")
         line = len(path.read_text().splitlines())
         card = self.wait(lambda: self.browser.find_elements(By.CSS_SELECTOR, ".error"))[0].text
-        for part in ("kernel '", "missing", f"shaders/lib/diffuse.glsl:{line}", "float oops"):
+        for part in ("'gather_radiance'", "missing", f"shaders/lib/diffuse.glsl:{line}", "float oops"):
             self.assertIn(part, card)
         time.sleep(1)
         self.assertEqual((self.canvas().get_attribute("data-id"), self.drawn()), (number, before))
@@ -133,6 +133,9 @@ class Page(Live):
         # The place opens the file there, the error in its margin
         self.find(".error .place").click()
         self.wait(lambda: self.browser.find_elements(By.CSS_SELECTOR, "#editor .problem"))
+        self.assertEqual(self.find("#file").get_attribute("value"), "shaders/lib/diffuse.glsl")
+        # One mistake, however many kernels include the file
+        self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, ".error")), 1)
         self.screenshot("mistake-editor")
 
     def test_a_click_shows_the_path_of_the_pixel_on_both_sides(self):

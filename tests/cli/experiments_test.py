@@ -103,3 +103,20 @@ class Dumps(CliTest):
             with self.subTest(dump=dump):
                 self.assert_refused(USAGE, words, ["render", "scene.yaml", "-o", "out.png", "--dump", dump])
         self.assert_refused(USAGE, ["--dump"], ["render", "scene.yaml", "--backend", "reference", "--dump", "trace_closest:hits"])
+
+
+class LivePage(CliTest):
+    """What hyalite live refuses; tests/browser/live_test.py has what it does."""
+
+    def test_what_cannot_be_served_is_refused_before_it_is(self):
+        self.write("scene.yaml", SCENE)
+        self.assert_refused(BAD_INPUT, ["gone.yaml"], ["live", "gone.yaml"])
+        for options, words in (
+            (["--port", "70000"], ["--port"]),
+            (["--limit", "0"], ["--limit"]),
+            (["--shaders", "."], ["not a folder of shaders"]),
+            (["--host", "203.0.113.7", "--port", "0"], ["cannot listen at 203.0.113.7"]),  # no address of this machine
+            (["--set", "render.passes"], ["no value"]),
+        ):
+            with self.subTest(options=options):
+                self.assert_refused(USAGE, words, ["live", "scene.yaml", *options])

@@ -295,11 +295,26 @@ function element(tag, text, className) {
   return made;
 }
 
+// A mistake in a file that several kernels include is one mistake.
+function merged(errors) {
+  const found = new Map();
+  for (const error of errors) {
+    const what = error.kernel ? error.message.replace(`kernel '${error.kernel}': `, "") : error.message;
+    const key = JSON.stringify([error.source, error.file, error.line, what]);
+    const known = found.get(key);
+    if (known && error.file && error.line) { known.kernels.push(error.kernel); } else {
+      found.set(known ? key + found.size : key, { ...error, what, kernels: [error.kernel] });
+    }
+  }
+  return found.values();
+}
+
 function showErrors() {
-  const cards = state.errors.map((error) => {
+  const cards = [...merged(state.errors)].map((error) => {
     const card = element("div", undefined, "error");
     card.append(element("strong", error.source === "scene" ? "Scene: " : error.source === "setting" ? "Setting: " : ""));
-    card.append(error.message + (error.hint ? ` (${error.hint})` : ""));
+    card.append((error.kernels.length > 1 ? `kernels ${error.kernels.map((name) => `'${name}'`).join(", ")}: ${error.what}`
+      : error.message) + (error.hint ? ` (${error.hint})` : ""));
     if (error.file) {
       const place = (error.name || error.file) + (error.line ? ":" + error.line : "");
       card.append(document.createElement("br"));
@@ -427,7 +442,7 @@ async function inspect(event) {
 }
 
 // ---- the editor ---------------------------------------------------------------------------------------------------------
-let editor = null, openName = null, isDirty = false;
+let editor = null, openName = null, wantedName = null, isDirty = false;
 function openEditor() {
   if (!editor) {
     editor = makeEditor($("editor"), () => { isDirty = true; showFileState(); }, save);
@@ -438,17 +453,24 @@ function openEditor() {
   showFileState();
 }
 async function listFiles() {
-  const { files } = await (await ask("api/files")).json();
-  $("file").replaceChildren(...files.map((name) => new Option(name, name)));
-  const first = openName || files.find((name) => name.startsWith("scene/") && name.endsWith(".yaml")) || files[0];
-  await openFile(first, 0);
+  try {
+    const { files } = await (await ask("api/files")).json();
+    $("file").replaceChildren(...files.map((name) => new Option(name, name)));
+    if (!wantedName) { await openFile(files.find((name) => name.startsWith("scene/") && name.endsWith(".yaml")), 0); }
+    $("file").value = wantedName;
+  } catch (error) { $("file-state").textContent = error.message; }
 }
 async function openFile(name, line) {
-  if (!editor) { openName = name; openEditor(); }
-  if (openName !== name || !isDirty) {
-    if (isDirty && !confirm(`Leave ${openName} without saving?`)) { $("file").value = openName; return; }
+  wantedName = name;
+  if (openName !== name) {
+    if (isDirty && !confirm(`Leave ${openName} without saving?`)) {
+      wantedName = openName;
+      $("file").value = openName;
+      return;
+    }
     try {
       const { text } = await (await ask("api/file?name=" + encodeURIComponent(name))).json();
+      if (wantedName !== name) { return; } // another was asked for meanwhile
       editor.open(text, name);
     } catch (error) { $("file-state").textContent = error.message; return; }
     openName = name;
