@@ -26,6 +26,8 @@ class LiveServer:
         for code in (source / "scenes" / scene).parent.glob("*.glsl"):
             shutil.copy(code, folder)
         command = [program, "live", self.scene, "--port", "0", "--shaders", self.shaders, *options]
+        if "HYALITE_VALIDATION" in os.environ:
+            command.append("--validation")
         for setting in settings:
             command += ["--set", setting]
         environment = {**os.environ, "XDG_CACHE_HOME": str(folder / "cache")}
@@ -52,6 +54,8 @@ class LiveServer:
             self.process.kill()
             self.process.wait()
             self.process.stdout.close()
+            complaints = [line for line in self.lines if "VUID" in line or "validation" in line.lower()]
+            assert not complaints, complaints[:5]
 
     def request(self, method, path, body=None, headers=None, host="127.0.0.1"):
         """Status and content of an answer."""
