@@ -38,8 +38,8 @@ public:
         }
     }
 
-    // A piece takes some tens of milliseconds on two cores: so long at most does somebody wait who drags the camera.
-    [[nodiscard]] std::uint32_t threadsOfPiece() const override { return 1U << 15U; }
+    // A piece takes ten or twenty milliseconds on two cores: so long at most does somebody wait who drags the camera.
+    [[nodiscard]] std::uint32_t threadsOfPiece() const override { return 1U << 14U; }
     void between() override {
         if (mayStop_ && isUnwanted_()) {
             throw Interrupted();

@@ -19,7 +19,7 @@ namespace {
 
 // First pictures should take no longer [s]: with the camera's way to the worker and the picture's to the page, an eye
 // still takes them for the answer to its hand.
-constexpr double kPreviewSeconds = 0.1;
+constexpr double kPreviewSeconds = 0.06;
 constexpr std::uint32_t kFewestPhotons = 2000;
 
 std::optional<render::DebugQuantity> debugQuantity(const std::string& shown) {

@@ -273,6 +273,7 @@ class Failures(Live):
 
 class Security(Live):
     options = ()
+    scene = "experiments/marble-ball.yaml"
 
     def refused(self, *arguments, status=403, **options):
         self.assertEqual(self.server.request(*arguments, **options)[0], status, (arguments, options))
@@ -294,18 +295,35 @@ class Security(Live):
         (self.server.shaders / "notes.txt").write_text("not a shader")
         good = self.server.request("GET", "/api/file?name=shaders/lib/math.glsl")
         self.assertEqual(good[0], 200)
-        for name in ("shaders/../secret.glsl", "shaders/lib/out.glsl", "shaders/notes.txt", "scene/secret.glsl", "/etc/passwd",
+        for name in ("shaders/../secret.glsl", "shaders/lib/out.glsl", "shaders/notes.txt", "scene/secret.glsl", "scene/falloff.glsl", "/etc/passwd",
                      "scene/../../etc/passwd", "shaders//etc/passwd", "scene/", "", "shaders/lib/math.glsl%00.glsl"):
             self.refused("GET", "/api/file?name=" + name, status=404)
         names = json.loads(self.server.request("GET", "/api/files")[1])["files"]
         self.assertIn("shaders/lib/math.glsl", names)
-        self.assertIn("scene/cornell-caustics.yaml", names)
+        self.assertIn("scene/marble-ball.yaml", names)
+        self.assertIn("scene/marble.glsl", names)  # that the scene names
         self.assertFalse([name for name in names if "out.glsl" in name or "notes" in name or "secret" in name])
 
     def test_nothing_is_saved_without_edit(self):
         before = self.server.scene.read_text()
-        self.refused("POST", "/api/file", {"name": "scene/cornell-caustics.yaml", "text": "gone"})
+        self.refused("POST", "/api/file", {"name": "scene/marble-ball.yaml", "text": "gone"})
         self.assertEqual(self.server.scene.read_text(), before)
+
+    def test_code_of_the_scene_is_reloaded_and_its_mistakes_are_shown(self):
+        code = self.folder / "marble.glsl"
+        text = code.read_text()
+        self.addCleanup(code.write_text, text)
+        before = self.server.wait_for_picture(passes=PASSES)
+        pixels = self.server.pixels()
+        state = self.picture_after(lambda: replace(code, "0.85, 0.83, 0.8", "0.1, 0.9, 0.1"), passes=PASSES)
+        self.assertNotEqual(self.server.pixels(), pixels)
+        self.assertEqual(state["revision"], before["revision"])
+        replace(code, "vec3 p = position", "vec3 p = oops")
+        error = self.server.wait_for(lambda s: s["errors"])["errors"][0]
+        self.assertEqual((error["name"], error["line"]), ("scene/marble.glsl", 1 + text[: text.index("vec3 p = position")].count("\n")))
+        self.assertIn("oops", error["message"])
+        code.write_text(text)
+        self.server.wait_for(lambda s: not s["errors"])
 
     def test_nonsense_is_answered_with_an_error(self):
         for body in ({"settings": 3}, {"shown": 7}, {"settings": {"render.photons": 5}}, [1], {"pixel": -1}):
