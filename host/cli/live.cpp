@@ -5,6 +5,7 @@
 #include "cli/number_check.h"
 #include "cli/open_device.h"
 #include "cli/shader_folder.h"
+#include "gpu/context.h"
 #include "live/live_server.h"
 #include "live/worker.h"
 #include "scene/load_scene.h"
@@ -57,6 +58,7 @@ void runLive(LiveCommand command) {
     if (!std::filesystem::is_regular_file(command.scene)) {
         static_cast<void>(loadScene(command.scene)); // says what is wrong; other mistakes the page shows
     }
+    static_cast<void>(gpu::chooseDevice(gpu::listDevices(), command.device.name)); // throws where there is none
     command.device.shaders = std::filesystem::absolute(findShaders(command.device.shaders)).lexically_normal().string();
     live::ServerOptions options;
     options.address = command.address;

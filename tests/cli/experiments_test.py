@@ -3,7 +3,7 @@
 import ast
 import struct
 
-from program import BAD_INPUT, SCENE, USAGE, CliTest
+from program import BAD_INPUT, DEVICE, SCENE, USAGE, CliTest
 
 TEXTURED = SCENE.replace("materials:", "textures: {t: {type: custom, file: %s, parameters: [2, 0.5]}}\nmaterials:").replace(
     "{type: diffuse}", "{type: diffuse, albedo: {texture: t}}"
@@ -111,6 +111,7 @@ class LivePage(CliTest):
     def test_what_cannot_be_served_is_refused_before_it_is(self):
         self.write("scene.yaml", SCENE)
         self.assert_refused(BAD_INPUT, ["gone.yaml"], ["live", "gone.yaml"])
+        self.assert_refused(DEVICE, ["teapot"], ["live", "scene.yaml", "--device", "teapot"])
         for options, words in (
             (["--port", "70000"], ["--port"]),
             (["--limit", "0"], ["--limit"]),

@@ -292,7 +292,7 @@ class Information(CliTest):
         self.assertIs(report["usable"], True)
         self.assertEqual([check for check in report["checks"] if check["needed"] and not check["passed"]], [])
         names = {check["name"] for check in report["checks"]}
-        self.assertEqual(names, {"device", "shaders", "self-test", "validation"})
+        self.assertEqual(names, {"device", "shaders", "self-test", "validation", "editor"})
         (chosen,) = [device for device in report["devices"] if device["chosen"]]
         self.assertEqual(chosen["missing"], [])
         text = self.succeed("doctor")
