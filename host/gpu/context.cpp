@@ -1,6 +1,7 @@
 // Makes the instance, the device and its queue, and listens to the validation layer.
 #include "gpu/context_impl.h"
 #include "gpu/driver_hint.h"
+#include "gpu/lavapipe.h"
 
 #include <algorithm>
 #include <array>
@@ -109,6 +110,7 @@ void open(Context::Impl& impl, const ContextOptions& options) {
     impl.info = devices[chosen];
     impl.physical = std::move(physicals[chosen]);
     impl.queueFamily = computeQueueFamily(impl.physical);
+    impl.workers = impl.info.software ? lavapipeThreads() : 1;
     readLimits(impl);
     impl.device = makeDevice(impl);
     impl.queue = impl.device.getQueue(impl.queueFamily, 0);

@@ -23,6 +23,7 @@ struct Context::Impl {
     vk::raii::DebugUtilsMessengerEXT messenger = nullptr;
     vk::raii::PhysicalDevice physical = nullptr;
     std::uint32_t queueFamily = 0;
+    std::uint32_t workers = 1; // threads of the CPU that each take a block of a dispatch's groups; of a GPU one
     vk::raii::Device device = nullptr;
     vk::raii::Queue queue = nullptr;
 
