@@ -48,14 +48,22 @@ shared::CameraRecord cameraRecord(const Camera& camera) {
 
 namespace {
 
-void uploadTextures(const gpu::Context& context, gpu::TexelTables& tables, const Scene& scene,
-                    const std::vector<std::uint32_t>& fileOrder, DeviceScene& device) {
+// Copies a table to the device and frees it here: of large meshes there is no room for two.
+template <class T>
+gpu::Array<T> upload(const gpu::Context& context, std::vector<T>& table, const char* name) {
+    gpu::Array<T> array(context, std::span<const T>(table), name);
+    table = {};
+    return array;
+}
+
+void uploadTextures(const gpu::Context& context, gpu::TexelTables& tables, const Scene& scene, const MeshTables& meshes,
+                    DeviceScene& device) {
     device.specialization["kTextures"] = hasTextures(scene) ? 1 : 0;
     if (!hasTextures(scene)) {
         return;
     }
     const std::vector<glm::vec4> textures = textureTexels(scene.textures);
-    const std::vector<glm::vec4> coordinates = coordinateTexels(scene.meshes, fileOrder);
+    const std::vector<glm::vec4> coordinates = coordinateTexels(scene.meshes, meshes);
     device.textures = {context, std::span<const glm::vec4>(textures), "textures"};
     device.textureCoordinates = {context, std::span<const glm::vec4>(coordinates), "texture coordinates"};
     tables.set(TABLE_TEXTURES, device.textures.buffer(), gpu::TexelFormat::Float4);
@@ -90,14 +98,14 @@ DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, c
     setAddresses(lights.lights, device.lightTriangles, device.lightTexels, device.lightCdfs);
     device.lights = {context, std::span<const shared::LightRecord>(lights.lights), "lights"};
     device.instances = {context, std::span<const shared::InstanceRecord>(objects.instances), "instances"};
-    device.normals = {context, std::span<const vec3>(meshes.normals), "normals"};
-    device.nodes = {context, std::span<const glm::uvec4>(meshes.nodes), "BVH nodes"};
+    device.normals = upload(context, meshes.normals, "normals");
+    device.nodes = upload(context, meshes.nodes, "BVH nodes");
     device.objects = {context, std::span<const glm::vec4>(objects.texels), "objects"};
-    device.triangles = {context, std::span<const glm::vec4>(meshes.triangles), "triangles"};
+    device.triangles = upload(context, meshes.triangles, "triangles");
     tables.set(TABLE_NODES, device.nodes.buffer(), gpu::TexelFormat::Uint4);
     tables.set(TABLE_OBJECTS, device.objects.buffer(), gpu::TexelFormat::Float4);
     tables.set(TABLE_TRIANGLES, device.triangles.buffer(), gpu::TexelFormat::Float4);
-    uploadTextures(context, tables, scene, meshes.fileOrder, device);
+    uploadTextures(context, tables, scene, meshes, device);
     const bool areFew =
         scene.objects.size() <= kFewObjects && std::all_of(scene.objects.begin(), scene.objects.end(), isQuicklyTried);
     device.specialization["kShapeTypes"] = objects.shapeTypes;
