@@ -23,7 +23,7 @@ void addDeviceOptions(CLI::App& sub, DeviceChoice& choice) {
 }
 
 OpenDevice::OpenDevice(const DeviceChoice& choice)
-    : context_(optionsOf(choice)), compiler_(findShaders(choice.shaders), cacheFolder()) {
+    : context_(optionsOf(choice)), compiler_(findShaders(choice.shaders), cacheFolder(), shippedKernels()) {
     gpu::selfTest(context_, compiler_);
 }
 

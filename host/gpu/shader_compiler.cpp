@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "gpu/shader_sources.h"
 #include "gpu/spirv_cache.h"
+#include "gpu/spirv_optimizer.h"
 
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
@@ -16,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Changes whenever the options below change what comes out of the same source.
-constexpr const char* kCacheFormat = "hyalite 1, vulkan 1.3, spirv 1.6";
+constexpr const char* kCacheFormat = "hyalite 2, vulkan 1.3, spirv 1.6, inlined";
 
 constexpr auto kMessages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
 
@@ -113,12 +114,12 @@ SpirV compileSource(const std::string& kernel, const fs::path& file, const Shade
     }
     SpirV spirv;
     spv::SpvBuildLogger logger;
-    glslang::SpvOptions options; // the driver optimises
+    glslang::SpvOptions options;
     glslang::GlslangToSpv(*program.getIntermediate(EShLangCompute), spirv, &logger, &options);
     if (spirv.empty()) {
         throw compileError(kernel, file, logger.getAllMessages());
     }
-    return spirv;
+    return inlineFunctions(std::move(spirv));
 }
 
 std::string compilerVersion() {
@@ -128,8 +129,8 @@ std::string compilerVersion() {
 
 } // namespace
 
-ShaderCompiler::ShaderCompiler(fs::path shaders, fs::path cache)
-    : shaders_(std::move(shaders)), cache_(std::move(cache)) {}
+ShaderCompiler::ShaderCompiler(fs::path shaders, fs::path cache, fs::path shipped)
+    : shaders_(std::move(shaders)), cache_(std::move(cache)), shipped_(std::move(shipped)) {}
 
 SpirV ShaderCompiler::compile(const std::string& kernel) const {
     const ShaderSources sources(shaders_);
@@ -144,8 +145,11 @@ SpirV ShaderCompiler::compile(const std::string& kernel) const {
         key += fs::path(path).lexically_relative(shaders_.lexically_normal()).string() + '\n' +
                std::to_string(text.size()) + '\n' + text;
     }
-    const SpirvCache cache(cache_);
     const std::string name = kernel + '-' + SpirvCache::key(key);
+    if (std::optional<SpirV> shipped = SpirvCache(shipped_).load(name)) {
+        return *std::move(shipped);
+    }
+    const SpirvCache cache(cache_);
     if (std::optional<SpirV> cached = cache.load(name)) {
         return *std::move(cached);
     }
