@@ -94,6 +94,7 @@ LayeredImage renderOnDevice(const RenderCommand& command, const Scene& scene, Pr
     report.renderSeconds = result.renderSeconds;
     report.counts = result.counts;
     report.notes = std::move(result.notes);
+    report.memory = std::move(result.memory);
     report.stages = std::move(result.stages);
     device.checkValidation();
     return std::move(result.image);
@@ -206,7 +207,7 @@ void renderScene(RenderCommand command) {
         return;
     }
     if (command.profile) {
-        std::cout << stageTable(report) << photonTable(report);
+        std::cout << stageTable(report) << memoryTable(report) << photonTable(report);
     }
     if (!command.quiet) {
         for (const std::string& output : command.outputs) {
@@ -251,7 +252,7 @@ void addRender(CLI::App& app, ExitCode&) {
     sub->add_option("--save-photons", command->savePhotons, "photonmap: write the photon maps to this file");
     sub->add_option("--load-photons", command->loadPhotons,
                     "photonmap: read the photon maps from this file instead of tracing them");
-    sub->add_flag("--profile", command->profile, "print a table of the stages' times");
+    sub->add_flag("--profile", command->profile, "print tables of the stages' times and of the buffers' sizes");
     sub->add_flag("--json", command->json, "print one JSON object instead of text");
     sub->add_flag("--quiet", command->quiet, "print nothing but errors");
     sub->callback([command] { renderScene(*command); });

@@ -142,8 +142,17 @@ std::span<std::byte> Context::memoryAt(std::uint64_t address) const {
     if (after == impl_->buffers.begin()) {
         return {};
     }
-    const auto& [begin, bytes] = *--after;
+    const auto& [begin, buffer] = *--after;
+    const std::span<std::byte> bytes = buffer.bytes;
     return address - begin < bytes.size() ? bytes.subspan(address - begin) : std::span<std::byte>();
+}
+
+std::map<std::string, std::size_t> Context::memory() const {
+    std::map<std::string, std::size_t> bytes;
+    for (const auto& [address, buffer] : impl_->buffers) {
+        bytes[buffer.name] += buffer.bytes.size();
+    }
+    return bytes;
 }
 
 std::uint32_t Context::validationMessages() const {
