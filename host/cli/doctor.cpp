@@ -2,6 +2,7 @@
 // first pixel: driver, device, shaders, and a dispatch whose answer is known.
 #include "cli/command.h"
 #include "cli/shader_folder.h"
+#include "gpu/lavapipe.h"
 #include "gpu/self_test.h"
 #include "live/live_server.h"
 
@@ -63,6 +64,7 @@ Check examine(const std::string& name, const Find& find) {
 }
 
 std::string openDevice(const DoctorOptions& options, Diagnosis& diagnosis, std::unique_ptr<gpu::Context>& context) {
+    gpu::prepareLavapipe(cacheFolder()); // it is to be seen as renders see it
     diagnosis.devices = gpu::listDevices();
     diagnosis.chosen = gpu::chooseDevice(diagnosis.devices, options.device);
     gpu::ContextOptions wanted;

@@ -118,6 +118,7 @@ void addLiveWorker(CLI::App& app) {
         const OpenDevice device(command->device);
         command->options.shaders = device.compiler().shaders();
         command->options.cache = cacheOfLive(getppid());
+        command->options.shipped = shippedKernels();
         live::runWorker(device.context(), command->options);
     });
 }

@@ -109,6 +109,7 @@ LayeredImage renderOnDevice(const RenderCommand& command, const Scene& scene, Pr
     report.renderSeconds = result.renderSeconds;
     report.counts = result.counts;
     report.notes = std::move(result.notes);
+    report.memory = std::move(result.memory);
     report.stages = std::move(result.stages);
     device.checkValidation();
     dump.checkComplete();
@@ -222,7 +223,7 @@ void renderScene(RenderCommand command) {
         return;
     }
     if (command.profile) {
-        std::cout << stageTable(report) << photonTable(report);
+        std::cout << stageTable(report) << memoryTable(report) << photonTable(report);
     }
     if (!command.quiet) {
         for (const std::string& output : command.outputs) {
@@ -271,7 +272,7 @@ void addRender(CLI::App& app, ExitCode&) {
                     "write an array that a stage works on, after its first dispatch (or @N: number N), to "
                     "STAGE.FIELD.npy, e.g. trace_closest:hits.t")
         ->type_name("STAGE:FIELD[@N]");
-    sub->add_flag("--profile", command->profile, "print a table of the stages' times");
+    sub->add_flag("--profile", command->profile, "print tables of the stages' times and of the buffers' sizes");
     sub->add_flag("--json", command->json, "print one JSON object instead of text");
     sub->add_flag("--quiet", command->quiet, "print nothing but errors");
     sub->callback([command] { renderScene(*command); });

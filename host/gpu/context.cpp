@@ -1,6 +1,7 @@
 // Makes the instance, the device and its queue, and listens to the validation layer.
 #include "gpu/context_impl.h"
 #include "gpu/driver_hint.h"
+#include "gpu/lavapipe.h"
 
 #include <algorithm>
 #include <array>
@@ -109,6 +110,7 @@ void open(Context::Impl& impl, const ContextOptions& options) {
     impl.info = devices[chosen];
     impl.physical = std::move(physicals[chosen]);
     impl.queueFamily = computeQueueFamily(impl.physical);
+    impl.workers = impl.info.software ? lavapipeThreads() : 1;
     readLimits(impl);
     impl.device = makeDevice(impl);
     impl.queue = impl.device.getQueue(impl.queueFamily, 0);
@@ -140,8 +142,17 @@ std::span<std::byte> Context::memoryAt(std::uint64_t address) const {
     if (after == impl_->buffers.begin()) {
         return {};
     }
-    const auto& [begin, bytes] = *--after;
+    const auto& [begin, buffer] = *--after;
+    const std::span<std::byte> bytes = buffer.bytes;
     return address - begin < bytes.size() ? bytes.subspan(address - begin) : std::span<std::byte>();
+}
+
+std::map<std::string, std::size_t> Context::memory() const {
+    std::map<std::string, std::size_t> bytes;
+    for (const auto& [address, buffer] : impl_->buffers) {
+        bytes[buffer.name] += buffer.bytes.size();
+    }
+    return bytes;
 }
 
 std::uint32_t Context::validationMessages() const {

@@ -40,7 +40,8 @@ struct SpecializationData {
     std::vector<std::uint32_t> values;
 };
 
-SpecializationData select(const Specialization& specialization, const KernelInterface& interface) {
+SpecializationData select(Specialization specialization, const KernelInterface& interface, std::uint32_t workers) {
+    specialization["kWorkers"] = workers;
     SpecializationData data;
     for (const auto& [name, value] : specialization) {
         const auto constant = interface.specializationConstants.find(name);
@@ -89,8 +90,8 @@ std::shared_ptr<const Kernel::Impl> make(const Context::Impl& context, const Tex
                                                                        .pSetLayouts = &setLayout,
                                                                        .pushConstantRangeCount = 1,
                                                                        .pPushConstantRanges = &range}};
-        kernel->pipeline =
-            makePipeline(context.device, *kernel->layout, spirv, select(specialization, kernel->interface));
+        kernel->pipeline = makePipeline(context.device, *kernel->layout, spirv,
+                                        select(specialization, kernel->interface, context.workers));
         const auto handle = reinterpret_cast<std::uint64_t>(static_cast<VkPipeline>(*kernel->pipeline));
         context.nameObject(vk::ObjectType::ePipeline, handle, name);
     });

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "gpu/shader_sources.h"
 #include "gpu/spirv_cache.h"
+#include "gpu/spirv_optimizer.h"
 
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
@@ -16,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Changes whenever the options below change what comes out of the same source.
-constexpr const char* kCacheFormat = "hyalite 1, vulkan 1.3, spirv 1.6";
+constexpr const char* kCacheFormat = "hyalite 2, vulkan 1.3, spirv 1.6, inlined";
 
 constexpr auto kMessages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
 
@@ -113,12 +114,12 @@ SpirV compileSource(const std::string& kernel, const fs::path& file, const Shade
     }
     SpirV spirv;
     spv::SpvBuildLogger logger;
-    glslang::SpvOptions options; // the driver optimises
+    glslang::SpvOptions options;
     glslang::GlslangToSpv(*program.getIntermediate(EShLangCompute), spirv, &logger, &options);
     if (spirv.empty()) {
         throw compileError(kernel, file, logger.getAllMessages());
     }
-    return spirv;
+    return inlineFunctions(std::move(spirv));
 }
 
 std::string compilerVersion() {
@@ -128,8 +129,8 @@ std::string compilerVersion() {
 
 } // namespace
 
-ShaderCompiler::ShaderCompiler(fs::path shaders, fs::path cache)
-    : shaders_(std::move(shaders)), cache_(std::move(cache)) {}
+ShaderCompiler::ShaderCompiler(fs::path shaders, fs::path cache, fs::path shipped)
+    : shaders_(std::move(shaders)), cache_(std::move(cache)), shipped_(std::move(shipped)) {}
 
 struct ShaderCompiler::Sources {
     ShaderSources folder;
@@ -166,17 +167,17 @@ std::string ShaderCompiler::nameInCache(const std::string& kernel) const {
 }
 
 std::optional<SpirV> ShaderCompiler::fromCache(const std::string& nameInCache) const {
-    return SpirvCache(cache_).load(nameInCache);
+    std::optional<SpirV> shipped = SpirvCache(shipped_).load(nameInCache);
+    return shipped ? std::move(shipped) : SpirvCache(cache_).load(nameInCache);
 }
 
 SpirV ShaderCompiler::compile(const std::string& kernel) const {
     const Sources sources = sourcesOf(kernel);
-    const SpirvCache cache(cache_);
-    if (std::optional<SpirV> cached = cache.load(sources.nameInCache)) {
-        return *std::move(cached);
+    if (std::optional<SpirV> made = fromCache(sources.nameInCache)) {
+        return *std::move(made);
     }
     SpirV spirv = compileSource(kernel, sources.file, sources.folder, sources.texts);
-    cache.store(sources.nameInCache, spirv);
+    SpirvCache(cache_).store(sources.nameInCache, spirv);
     return spirv;
 }
 

@@ -15,8 +15,10 @@ using SpirV = std::vector<std::uint32_t>;
 class ShaderCompiler {
 public:
     // `shaders`: the folder that holds kernels/, lib/ and shared/. `cache`: where compiled kernels are kept, named by
-    // a hash of all their source text and of the compiler's version; empty: no cache.
-    explicit ShaderCompiler(std::filesystem::path shaders, std::filesystem::path cache = {});
+    // a hash of all their source text and of the compiler's version; empty: no cache. `shipped`: a folder of the same
+    // kind that is only read.
+    explicit ShaderCompiler(std::filesystem::path shaders, std::filesystem::path cache = {},
+                            std::filesystem::path shipped = {});
     virtual ~ShaderCompiler() = default;
     ShaderCompiler(const ShaderCompiler&) = default;
     ShaderCompiler& operator=(const ShaderCompiler&) = default;
@@ -41,6 +43,7 @@ private:
 
     std::filesystem::path shaders_;
     std::filesystem::path cache_;
+    std::filesystem::path shipped_;
     std::map<std::string, std::string> replaced_;
 };
 

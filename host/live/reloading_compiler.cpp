@@ -3,9 +3,9 @@
 namespace hyalite::live {
 
 ReloadingCompiler::ReloadingCompiler(std::filesystem::path shaders, std::filesystem::path cache,
-                                     KernelVersions versions,
+                                     std::filesystem::path shipped, KernelVersions versions,
                                      std::function<void(const std::string&, const std::string&)> onCompiled)
-    : ShaderCompiler(std::move(shaders), std::move(cache)), onCompiled_(std::move(onCompiled)),
+    : ShaderCompiler(std::move(shaders), std::move(cache), std::move(shipped)), onCompiled_(std::move(onCompiled)),
       versions_(std::move(versions)) {}
 
 gpu::SpirV ReloadingCompiler::compile(const std::string& kernel) const {

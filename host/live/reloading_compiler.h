@@ -22,8 +22,8 @@ struct KernelVersions {
 class ReloadingCompiler final : public gpu::ShaderCompiler {
 public:
     // `onCompiled`: called, from any thread, with each kernel and the version of it that will run.
-    ReloadingCompiler(std::filesystem::path shaders, std::filesystem::path cache, KernelVersions versions,
-                      std::function<void(const std::string&, const std::string&)> onCompiled);
+    ReloadingCompiler(std::filesystem::path shaders, std::filesystem::path cache, std::filesystem::path shipped,
+                      KernelVersions versions, std::function<void(const std::string&, const std::string&)> onCompiled);
 
     // Throws Error(BadInput) where there is no version that compiles.
     [[nodiscard]] gpu::SpirV compile(const std::string& kernel) const override;

@@ -80,7 +80,7 @@ public:
     Worker(const gpu::Context& context, const WorkerOptions& options, Channel& channel, Inbox& inbox, Pulse& pulse,
            const Json& start)
         : channel_(channel), inbox_(inbox), pulse_(pulse), scene_(start.at("scene").get<std::string>()),
-          compiler_(options.shaders, options.cache, versionsOf(start),
+          compiler_(options.shaders, options.cache, options.shipped, versionsOf(start),
                     [&channel](const std::string& kernel, const std::string& version) {
                         channel.send({{"kind", "compiled"}, {"kernel", kernel}, {"version", version}});
                     }),

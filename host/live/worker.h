@@ -11,7 +11,8 @@ struct WorkerOptions {
     int channel = -1; // socket to the server, see protocol in worker.cpp
     int pulse = -1;   // shared memory
     std::filesystem::path shaders;
-    std::filesystem::path cache; // not empty
+    std::filesystem::path cache;   // not empty
+    std::filesystem::path shipped; // kernels compiled with the program, see gpu::ShaderCompiler
 };
 
 // Renders what the server asks for until it is gone.

@@ -126,11 +126,11 @@ void PathRecorder::seeBounces(const Observed& dispatch) {
 void PathRecorder::seeEmission(const Observed& dispatch) {
     if (dispatch.kernel() == "emit_caustic_photons") {
         const auto args = dispatch.arguments<shared::EmitCausticPhotonsArguments>();
-        photonPasses_[args.sequence].pass = {.sequence = args.sequence, .count = args.count, .aimed = true};
+        photonPasses_[args.sequence].pass = {.sequence = args.sequence, .count = args.ofPass, .aimed = true};
         return;
     }
     const auto args = dispatch.arguments<shared::EmitPhotonsArguments>();
-    photonPasses_[args.sequence].pass = {.sequence = args.sequence, .count = args.count};
+    photonPasses_[args.sequence].pass = {.sequence = args.sequence, .count = args.ofPass};
 }
 
 void PathRecorder::seeScattering(const Observed& dispatch) {

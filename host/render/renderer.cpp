@@ -85,6 +85,7 @@ RenderResult render(const gpu::Context& context, const gpu::ShaderCompiler& comp
             options.onPass(progress);
         }
     }
+    result.memory = context.memory();
     result.image = film.resolve(device, progress.passes);
     result.errorEstimate = film.estimateError(device, progress.passes);
     result.passes = progress.passes;

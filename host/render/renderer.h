@@ -44,6 +44,7 @@ struct RenderResult {
     std::optional<double> errorEstimate; // of the picture, see docs/metrics.md; none of a single pass
     Counts counts;
     RenderNotes notes;
+    std::map<std::string, std::size_t> memory;    // bytes of the device's buffers after the last pass, by name
     std::map<std::string, gpu::StageTime> stages; // with profile
 };
 

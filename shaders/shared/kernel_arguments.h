@@ -97,7 +97,9 @@ struct EmitPhotonsArguments {
     LightArray lights;
     RayArray rays;         // out
     PhotonPathArray paths; // out
-    uint count;            // photons emitted in this pass
+    uint first;            // number of the first of these photons in the pass
+    uint count;
+    uint ofPass; // photons of the whole pass, which share the lights' flux
     uint lightCount;
     uint sequence; // seed of the photons' samplers, see photonSampler
 };
@@ -107,7 +109,9 @@ struct EmitCausticPhotonsArguments {
     TargetArray targets;
     RayArray rays;         // out
     PhotonPathArray paths; // out
-    uint count;            // photons emitted
+    uint first;            // as above
+    uint count;
+    uint ofPass;
     uint lightCount;
     uint targetCount;
     uint sequence; // seed of the photons' samplers, see photonSampler

@@ -57,7 +57,7 @@ FAULTS = [
      CAUSTICS + " --integrator path", "bounce_paths"),
     ("shadow ray that does not end at the light", "kernels/trace_shadow.comp", "traceScene(args.rootNode, ray, true)",
      "traceScene(args.rootNode, Ray(ray.origin, kInfinity, ray.direction, ray.from), true)", CAUSTICS, "trace_shadow"),
-    ("each photon carries all flux", "kernels/emit_photons.comp", "light.pmf * float(args.count)", "light.pmf", CAUSTICS,
+    ("each photon carries all flux", "kernels/emit_photons.comp", "light.pmf * float(args.ofPass)", "light.pmf", CAUSTICS,
      "emit_photons"),
     ("sine for cosine in the disc", "lib/sampling.glsl", "p.x * sc.yx", "p.x * sc.xy", CAUSTICS, "emit_photons"),
     ("survivors of roulette not made up for", "kernels/scatter_photon.comp", "next.weight / survival;", "next.weight;",

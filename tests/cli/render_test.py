@@ -136,7 +136,7 @@ class Reports(RenderTest):
         elapsed = time.monotonic() - start
         keys = (
             "version scene integrator backend device seed sampler resolution passes error_estimate seconds counts "
-            "search_radius caustic_search_radius warnings outputs"
+            "buffer_bytes search_radius caustic_search_radius warnings outputs"
         )
         self.assertEqual(set(report), set(keys.split()))
         self.assertEqual("hyalite " + report["version"], self.succeed("--version").strip())
