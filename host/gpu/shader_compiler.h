@@ -3,12 +3,19 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace hyalite::gpu {
 
 using SpirV = std::vector<std::uint32_t>;
+
+// A kernel with values in place of its specialization constants.
+struct SpecializedKernel {
+    SpirV spirv;
+    bool isNew = false; // it was not in the cache
+};
 
 class ShaderCompiler {
 public:
@@ -21,6 +28,10 @@ public:
     // Compiles kernels/<kernel>.comp. #include "lib/x.glsl" is looked for beside the including file, then in the
     // shaders folder. Throws Error(BadInput) at file:line of the source that is wrong, naming the kernel.
     [[nodiscard]] SpirV compile(const std::string& kernel) const;
+
+    // What compile(kernel) gave, with values for its specialization constants, by id.
+    [[nodiscard]] SpecializedKernel specialized(const std::string& kernel, const SpirV& spirv,
+                                                const std::map<std::uint32_t, std::uint32_t>& constants) const;
 
     [[nodiscard]] const std::filesystem::path& shaders() const { return shaders_; }
 
