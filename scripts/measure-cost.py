@@ -18,15 +18,7 @@ import subprocess
 import sys
 import tempfile
 
-try:
-    import matplotlib
-    import numpy
-except ImportError as missing:
-    sys.exit(f"measure-cost.py: {missing}: install Debian's package (apt-get install python3-matplotlib) and run this "
-             "with Debian's own /usr/bin/python3")
-matplotlib.use("svg")
-matplotlib.rcParams["svg.hashsalt"] = "hyalite"  # the same figures, the same file
-from matplotlib import pyplot  # noqa: E402  (the backend is chosen first)
+from plotting import numpy, pyplot
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent
 SCENE = SOURCE / "scenes/cornell-caustics.yaml"
