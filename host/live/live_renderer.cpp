@@ -4,7 +4,7 @@
 #include "parity/observed.h"
 #include "parity/path_recorder.h"
 #include "parity/sides.h"
-#include "reference/custom_textures.h"
+#include "reference/custom_twins.h"
 #include "render/custom_code.h"
 #include "scene/load_scene.h"
 #include "scene/settings.h"

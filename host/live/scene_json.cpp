@@ -78,6 +78,11 @@ Json describe(const Scene& scene, const View& view, const fs::path& file) {
             code.push_back(custom->code->file);
         }
     }
+    for (const Material& material : scene.materials) {
+        if (const auto* custom = std::get_if<CustomReflectance>(&material.model)) {
+            code.push_back(custom->code->file);
+        }
+    }
     if (scene.render.photonMap.customFilter) {
         code.push_back(scene.render.photonMap.customFilter->file);
     }

@@ -1,7 +1,7 @@
 #include "parity/capture.h"
 
 #include "parity/twins.h"
-#include "reference/custom_textures.h"
+#include "reference/custom_twins.h"
 
 #include <algorithm>
 #include <array>
@@ -14,10 +14,18 @@ namespace {
 // The scene's own code that a kernel runs and that has no twin; nullptr: none.
 const CustomCode* codeWithoutTwin(const Scene& scene, std::string_view kernel) {
     constexpr std::array<std::string_view, 3> kTextured{"shade_surface", "scatter_photon", "cast_shadow_photons"};
+    constexpr std::array<std::string_view, 3> kReflecting{"shade_surface", "scatter_photon", "sample_rough_lights"};
     if (kernel == "estimate_radiance") {
         return scene.render.photonMap.customFilter.get();
     }
-    return std::ranges::find(kTextured, kernel) == kTextured.end() ? nullptr : reference::textureWithoutTwin(scene);
+    const CustomCode* code = nullptr;
+    if (std::ranges::find(kTextured, kernel) != kTextured.end()) {
+        code = reference::textureWithoutTwin(scene);
+    }
+    if (code == nullptr && std::ranges::find(kReflecting, kernel) != kReflecting.end()) {
+        code = reference::reflectanceWithoutTwin(scene);
+    }
+    return code;
 }
 
 } // namespace

@@ -3,7 +3,7 @@
 #include "image/flip.h"
 #include "image/metrics.h"
 #include "parity/capture.h"
-#include "reference/custom_textures.h"
+#include "reference/custom_twins.h"
 #include "reference/render.h"
 #include "render/device.h"
 #include "render/renderer.h"

@@ -1,7 +1,7 @@
 // Picks the integrator.
 #include "reference/render.h"
 
-#include "reference/custom_textures.h"
+#include "reference/custom_twins.h"
 #include "reference/path.h"
 #include "reference/photon_views.h"
 #include "reference/ppm.h"

@@ -62,4 +62,20 @@ std::shared_ptr<const CustomCode> readCustomCode(const Value& file, const fs::pa
     return std::make_shared<const CustomCode>(std::move(code));
 }
 
+void readCodeParameters(Reader& reader, glm::dvec4& parameters) {
+    constexpr Range kParameter{-1e30, 1e30}; // the kernels' numbers are floats
+    const auto value = reader.find("parameters");
+    if (!value) {
+        return;
+    }
+    const std::size_t count = value->list().size();
+    if (count > 4) {
+        value->fail("a function of the scene's own has at most 4 parameters");
+    }
+    const std::vector<double> numbers = value->numbers(count, kParameter);
+    for (std::size_t i = 0; i < count; ++i) {
+        parameters[static_cast<int>(i)] = numbers[i];
+    }
+}
+
 } // namespace hyalite

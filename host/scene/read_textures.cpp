@@ -15,7 +15,6 @@ namespace {
 
 constexpr Range kFraction{0, 1};
 constexpr Range kCell{kSmallestLength, kLargestLength};
-constexpr Range kParameter{-1e30, 1e30}; // the kernels' numbers are floats
 
 TextureModel readChecker(Reader& reader, const std::filesystem::path& /*folder*/) {
     constexpr std::array<Choice<bool>, 2> kSpaces{{{"world", true}, {"uv", false}}};
@@ -49,16 +48,7 @@ TextureModel readImageTexture(Reader& reader, const std::filesystem::path& folde
 TextureModel readCustomTexture(Reader& reader, const std::filesystem::path& folder) {
     const Value file = reader.require("file");
     CustomTexture texture;
-    if (const auto parameters = reader.find("parameters")) {
-        const std::size_t count = parameters->list().size();
-        if (count > 4) {
-            parameters->fail("a custom texture has at most 4 parameters");
-        }
-        const std::vector<double> values = parameters->numbers(count, kParameter);
-        for (std::size_t i = 0; i < count; ++i) {
-            texture.parameters[static_cast<int>(i)] = values[i];
-        }
-    }
+    readCodeParameters(reader, texture.parameters);
     reader.finish();
     texture.code = readCustomCode(file, folder, "vec3");
     return texture;

@@ -98,7 +98,13 @@ struct MetallicRoughness {     // glTF's model: a metal, a diffuse base under a 
     double metallic = 0;       // [0, 1]
     double roughness = 0.5;    // [0, 1]
 };
-using MaterialModel = std::variant<Diffuse, Mirror, Dielectric, Conductor, MetallicRoughness>;
+// A surface that reflects, smooth or by microfacets, the share that vec3 function(float cosine, vec4 parameters) gives.
+struct CustomReflectance {
+    std::shared_ptr<const CustomCode> code;
+    glm::dvec4 parameters{0};
+    double roughness = 0; // [0, 1]
+};
+using MaterialModel = std::variant<Diffuse, Mirror, Dielectric, Conductor, MetallicRoughness, CustomReflectance>;
 
 // Two colours in cubes of the world, or in squares of the surface's coordinates (u, v), by turns.
 struct Checker {

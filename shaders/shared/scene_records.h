@@ -23,16 +23,19 @@ SHARED_CONSTANT kMaterialMirror = 2u;            // color = reflectance
 SHARED_CONSTANT kMaterialDielectric = 3u;        // ior = inside over outside
 SHARED_CONSTANT kMaterialConductor = 4u;         // color + i extinction = index
 SHARED_CONSTANT kMaterialMetallicRoughness = 5u; // color = that of the diffuse base and of the metal
+SHARED_CONSTANT kMaterialCustom = 6u;            // see lib/custom_reflectance.glsl
 SHARED_CONSTANT kMaterialRough = 31u;            // no type: says of a scene that some lobe of it is rough
 
 struct MaterialRecord {
     uint type;
-    vec3 color;            // fraction reflected per channel, [0, 1]; conductor: its index of refraction, real part
-    vec3 extinction;       // conductor: imaginary part of the index; dielectric: absorption coefficient [1/m]
-    float ior;             // dielectrics: inside over outside
-    float roughness;       // 0: smooth; else the alpha of the GGX distribution is its square
-    float metallic;        // metallic-roughness: 0 dielectric, 1 metal
-    uint colorTexture;     // multiplies the colour; kNone: none
+    vec3 color;        // fraction reflected per channel, [0, 1]; conductor: its index of refraction, real part;
+                       // custom: three of the parameters
+    vec3 extinction;   // conductor: imaginary part of the index; dielectric: absorption coefficient [1/m]; custom: the
+                       // fourth parameter, number of the function, 0
+    float ior;         // dielectrics: inside over outside
+    float roughness;   // 0: smooth; else the alpha of the GGX distribution is its square
+    float metallic;    // metallic-roughness: 0 dielectric, 1 metal
+    uint colorTexture; // multiplies the colour; kNone: none
     uint roughnessTexture; // metallic-roughness: green times roughness, blue times metallic; kNone: none
 };
 DEVICE_ARRAY(MaterialRecord, MaterialArray);

@@ -47,6 +47,16 @@ class CustomCode(CliTest):
         self.write("f.glsl", "float f(float u) { return 1.0 - u; }\n")
         self.assertNotEqual(self.render(scene), even)
 
+    def test_a_material_in_glsl_reflects_what_it_returns(self):
+        # 0.25 at every angle is a mirror of 0.25, smooth, and a little more at none; the same function serves two materials
+        objects = "{shape: {type: quad, corner: [-3, -1, -3], edges: [[0, 0, 6], [6, 0, 0]]}, material: %s}, "
+        scene = SCENE.replace("objects: [", "objects: [" + objects % "own")
+        self.write("share.glsl", "vec3 share(float cosine, vec4 k) { return vec3(k.x, k.y, 2.0 * cosine - 9.0); }\n")
+        own = self.render(scene.replace("materials: {", "materials: {other: {type: custom, file: share.glsl, parameters: [1]}, "
+                                        "own: {type: custom, file: share.glsl, parameters: [0.25, 0.5]}, "))
+        mirror = self.render(scene.replace("materials: {", "materials: {own: {type: mirror, reflectance: [0.25, 0.5, 0]}, "))
+        self.assertEqual(own, mirror)
+
     def test_a_mistake_in_the_code_is_reported_at_its_line(self):
         self.write("scene.yaml", TEXTURED % "bad.glsl")
         self.write("bad.glsl", "\nvec3 bad(vec3 p, vec2 uv, vec4 k) {\n    return missing;\n}\n")

@@ -34,6 +34,7 @@ GOOD = {
         "tin": {"type": "conductor", "eta": 1.5, "k": [5, 5, 4.5]},
         "frosted": {"type": "dielectric", "roughness": 0.2},
         "paint": {"type": "metallic_roughness", "base_color": [1, 0, 0], "metallic": 0.5, "roughness": 1},
+        "own": {"type": "custom", "file": "own.glsl", "parameters": [1, 2], "roughness": 0.2},
         "worn": {"type": "metallic_roughness", "base_color": {"texture": "c"},
                  "metallic_roughness_texture": {"texture": "i"}},
     },

@@ -258,6 +258,19 @@ TEST_CASE("a texture in GLSL is read with its parameters, and is called as its f
     CHECK(texture.parameters == glm::dvec4(1, -2.5, 0, 0));
 }
 
+TEST_CASE("a material in GLSL is read with its parameters and its roughness") {
+    TemporaryFolder folder;
+    folder.write("film.glsl", "vec3 film(float cosine, vec4 parameters) {\n    return vec3(0.5);\n}\n");
+    const auto scene = folder.write(
+        "scene.yaml",
+        "hyalite: 1\nmaterials: {m: {type: custom, file: film.glsl, parameters: [3, 2], roughness: 0.4}}\n" +
+            std::string("objects: [{shape: {type: sphere, radius: 1}, material: m}]\n"));
+    const auto model = std::get<CustomReflectance>(loadScene(scene).materials.at(0).model);
+    CHECK(model.code->function == "film");
+    CHECK(model.parameters == glm::dvec4(3, 2, 0, 0));
+    CHECK(model.roughness == 0.4);
+}
+
 TEST_CASE("code of a scene must lie in its folder, be named like its function and need no preprocessor") {
     TemporaryFolder folder;
     folder.write("outside.glsl", "vec3 outside(vec3 p, vec2 uv, vec4 k) { return p; }\n");

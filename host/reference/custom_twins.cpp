@@ -1,10 +1,12 @@
-// A twin goes here: its function, and a row of kTwins.
-#include "reference/custom_textures.h"
+// A twin goes here: its function, and a row of kTextures or kReflectances.
+#include "reference/custom_twins.h"
 
 #include "shaders/shared/random.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace hyalite::reference {
@@ -50,15 +52,42 @@ dvec3 marble(const dvec3& position, const dvec2& /*uv*/, const dvec4& parameters
     return glm::mix(dvec3(0.85, 0.83, 0.8), dvec3(0.12, 0.13, 0.18), vein * vein);
 }
 
-constexpr auto kTwins = std::to_array<std::pair<std::string_view, CustomTextureTwin>>({
+// scenes/experiments/oil.glsl: a film between two faces of the reflectance R. Waves that go through it 2 m times more
+// than the first add up to Airy's 1 / (1 + F sin^2(delta / 2)) of transmitted light, F = 4 R / (1 - R)^2; the rest is
+// reflected.
+dvec3 oil(double cosine, const dvec4& parameters) {
+    const double index = parameters.y;
+    const double refracted = std::asin(std::sqrt(1 - cosine * cosine) / index); // Snell
+    const double R = parameters.z;
+    const double F = 4 * R / ((1 - R) * (1 - R));
+    const auto reflectance = [&](double wavelength) {
+        const double halfDelta = 2 * std::numbers::pi / wavelength * index * parameters.x * std::cos(refracted);
+        return 1 - 1 / (1 + F * std::pow(std::sin(halfDelta), 2));
+    };
+    return {reflectance(610), reflectance(545), reflectance(450)};
+}
+
+constexpr auto kTextures = std::to_array<std::pair<std::string_view, CustomTextureTwin>>({
     {"marble", marble},
 });
+constexpr auto kReflectances = std::to_array<std::pair<std::string_view, CustomReflectanceTwin>>({
+    {"oil", oil},
+});
+
+template <class Twins>
+auto findTwin(const Twins& twins, std::string_view function) {
+    const auto found = std::ranges::find(twins, function, [](const auto& twin) { return twin.first; });
+    return found == twins.end() ? nullptr : found->second;
+}
 
 } // namespace
 
 CustomTextureTwin customTextureTwin(std::string_view function) {
-    const auto found = std::ranges::find(kTwins, function, [](const auto& twin) { return twin.first; });
-    return found == kTwins.end() ? nullptr : found->second;
+    return findTwin(kTextures, function);
+}
+
+CustomReflectanceTwin customReflectanceTwin(std::string_view function) {
+    return findTwin(kReflectances, function);
 }
 
 const CustomCode* textureWithoutTwin(const Scene& scene) {
@@ -71,9 +100,22 @@ const CustomCode* textureWithoutTwin(const Scene& scene) {
     return nullptr;
 }
 
+const CustomCode* reflectanceWithoutTwin(const Scene& scene) {
+    for (const Material& material : scene.materials) {
+        const auto* custom = std::get_if<CustomReflectance>(&material.model);
+        if (custom != nullptr && customReflectanceTwin(custom->code->function) == nullptr) {
+            return custom->code.get();
+        }
+    }
+    return nullptr;
+}
+
 const CustomCode* codeWithoutTwin(const Scene& scene) {
     const CustomCode* texture = textureWithoutTwin(scene);
-    return texture != nullptr ? texture : scene.render.photonMap.customFilter.get();
+    const CustomCode* reflectance = reflectanceWithoutTwin(scene);
+    return texture != nullptr       ? texture
+           : reflectance != nullptr ? reflectance
+                                    : scene.render.photonMap.customFilter.get();
 }
 
 } // namespace hyalite::reference
