@@ -20,10 +20,11 @@ fail() {
     exit 1
 }
 
+# cpp-httplib and CodeMirror: the server and the editor of `hyalite live`.
 # glslang-tools: glslang's CMake package insists on its programs being there.
 render=(cmake ninja-build g++ libvulkan-dev glslang-dev glslang-tools spirv-tools libspirv-cross-c-shared-dev libglm-dev
     libstb-dev libopenexr-dev zlib1g-dev libyaml-cpp-dev libcli11-dev nlohmann-json3-dev libnanoflann-dev
-    mesa-vulkan-drivers)
+    mesa-vulkan-drivers pkg-config libcpp-httplib-dev libjs-codemirror)
 # clang-format 19: the one version that both Debian 12 and 13 have, so that both judge a line alike.
 # A browser, its driver and a font: what the program's pages are looked at with. libembree-dev: what `hyalite bench`
 # measures rays against.

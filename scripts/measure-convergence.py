@@ -17,15 +17,7 @@ import pathlib
 import subprocess
 import sys
 
-try:
-    import matplotlib
-    import numpy
-except ImportError as missing:
-    sys.exit(f"measure-convergence.py: {missing}: install Debian's package (apt-get install python3-matplotlib) and run "
-             "this with Debian's own /usr/bin/python3")
-matplotlib.use("svg")
-matplotlib.rcParams["svg.hashsalt"] = "hyalite"  # the same figures, the same file
-from matplotlib import pyplot  # noqa: E402  (the backend is chosen first)
+from plotting import numpy, pyplot
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(SOURCE / "tests/cli"))

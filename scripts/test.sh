@@ -4,9 +4,11 @@ set -euo pipefail
 
 usage() {
     cat <<'END'
-usage: scripts/test.sh [full|fast|debug|asan|checked] [ctest options]
+usage: scripts/test.sh [full|thorough|fast|debug|asan|checked] [ctest options]
 
   full    every test, with the Vulkan validation layers on (the default)
+  thorough
+          the same with four times the rays where tests throw millions of them at solids
   fast    the tests not labelled slow, without the layers: for the inner loop
   debug   every test of a debug build
   asan    every test of a build with the address and undefined-behaviour sanitizers
@@ -24,6 +26,7 @@ fi
 choice=()
 case $kind in
 full) preset=validation ;;
+thorough) preset=validation && export HYALITE_THOROUGH=1 ;;
 fast) preset=release choice=(-LE slow) ;;
 debug | asan | checked) preset=$kind ;;
 --help) usage && exit ;;

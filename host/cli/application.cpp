@@ -34,6 +34,8 @@ int parseAndRun(int argc, char** argv) {
     addInspect(app);
     addDoctor(app, exit);
     addBench(app);
+    addLive(app);
+    addLiveWorker(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -17,5 +17,7 @@ void addParity(CLI::App& app, ExitCode& exit);
 void addInspect(CLI::App& app);
 void addDoctor(CLI::App& app, ExitCode& exit);
 void addBench(CLI::App& app);
+void addLive(CLI::App& app);
+void addLiveWorker(CLI::App& app);
 
 } // namespace hyalite::cli

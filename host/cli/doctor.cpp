@@ -2,7 +2,9 @@
 // first pixel: driver, device, shaders, and a dispatch whose answer is known.
 #include "cli/command.h"
 #include "cli/shader_folder.h"
+#include "gpu/lavapipe.h"
 #include "gpu/self_test.h"
+#include "live/live_server.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -62,6 +64,7 @@ Check examine(const std::string& name, const Find& find) {
 }
 
 std::string openDevice(const DoctorOptions& options, Diagnosis& diagnosis, std::unique_ptr<gpu::Context>& context) {
+    gpu::prepareLavapipe(cacheFolder()); // it is to be seen as renders see it
     diagnosis.devices = gpu::listDevices();
     diagnosis.chosen = gpu::chooseDevice(diagnosis.devices, options.device);
     gpu::ContextOptions wanted;
@@ -96,6 +99,20 @@ Check examineValidation() {
             .needed = false};
 }
 
+Check examineEditor() {
+    if (live::hasEditor()) {
+        return {.name = "editor",
+                .passed = true,
+                .detail = "CodeMirror is part of hyalite live",
+                .mend = {},
+                .needed = false};
+    }
+    return {.name = "editor",
+            .detail = "hyalite live was built without CodeMirror: its editor is a plain text field",
+            .mend = "scripts/install-deps.sh, then build again",
+            .needed = false};
+}
+
 Diagnosis diagnose(const DoctorOptions& options) {
     Diagnosis diagnosis;
     std::vector<Check>& checks = diagnosis.checks;
@@ -111,6 +128,7 @@ Diagnosis diagnose(const DoctorOptions& options) {
         checks.push_back(examine("self-test", [&] { return testDevice(*context, *compiler); }));
     }
     checks.push_back(examineValidation());
+    checks.push_back(examineEditor());
     return diagnosis;
 }
 

@@ -10,6 +10,8 @@
 #include "cli/render_report.h"
 #include "cli/scene_settings.h"
 #include "image/image_io.h"
+#include "render/buffer_dump.h"
+#include "render/device.h"
 #include "render/render_identity.h"
 #include "scene/load_scene.h"
 #include "scene/numbers.h"
@@ -37,6 +39,7 @@ struct RenderCommand {
     double checkpointEvery = render::CheckpointOptions().every; // [s]
     std::string savePhotons;
     std::string loadPhotons;
+    std::vector<std::string> dumps; // STAGE:FIELD
     bool layers = false;
     bool profile = false;
     bool json = false;
@@ -69,6 +72,7 @@ void refuseDeviceOptions(const RenderCommand& command) {
     refuse(command.profile, "--profile");
     refuse(!command.savePhotons.empty(), "--save-photons");
     refuse(!command.loadPhotons.empty(), "--load-photons");
+    refuse(!command.dumps.empty(), "--dump");
 }
 
 // The command that shows a pixel's path in this render, but for the pixel and the pass.
@@ -98,6 +102,17 @@ LayeredImage renderOnDevice(const RenderCommand& command, const Scene& scene, Pr
     renderOptions.checkpoint = {command.checkpoint, command.resume, command.checkpointEvery};
     renderOptions.savePhotons = command.savePhotons;
     renderOptions.loadPhotons = command.loadPhotons;
+    std::vector<render::DumpRequest> requests;
+    for (const std::string& dump : command.dumps) {
+        requests.push_back(render::dumpRequest(dump));
+        checkWritable(requests.back().file);
+    }
+    render::BufferDump dump(device.context(), std::move(requests));
+    if (!command.dumps.empty()) {
+        renderOptions.onUpload = [&](render::Device& renderer, const render::DeviceScene&) {
+            renderer.commands.observe(&dump);
+        };
+    }
     render::RenderResult result = render::render(device.context(), device.compiler(), scene, renderOptions);
     report.device = device.context().info().name + ", " + device.context().info().driver;
     report.passes = result.passes;
@@ -112,8 +127,10 @@ LayeredImage renderOnDevice(const RenderCommand& command, const Scene& scene, Pr
     std::ranges::move(
         render::faultWarnings(result.faults, result.layers, scene.camera.resolution, inspectCommand(command)),
         std::back_inserter(report.notes.warnings));
+    report.memory = std::move(result.memory);
     report.stages = std::move(result.stages);
     device.checkValidation();
+    dump.checkComplete();
     return std::move(result.image);
 }
 
@@ -287,7 +304,11 @@ void addRender(CLI::App& app, ExitCode& exit) {
     sub->add_option("--save-photons", command->savePhotons, "photonmap: write the photon maps to this file");
     sub->add_option("--load-photons", command->loadPhotons,
                     "photonmap: read the photon maps from this file instead of tracing them");
-    sub->add_flag("--profile", command->profile, "print a table of the stages' times");
+    sub->add_option("--dump", command->dumps,
+                    "write an array that a stage works on, after its first dispatch (or @N: number N), to "
+                    "STAGE.FIELD.npy, e.g. trace_closest:hits.t")
+        ->type_name("STAGE:FIELD[@N]");
+    sub->add_flag("--profile", command->profile, "print tables of the stages' times and of the buffers' sizes");
     sub->add_flag("--json", command->json, "print one JSON object instead of text");
     sub->add_flag("--quiet", command->quiet, "print nothing but errors");
     sub->callback([command, &exit] { renderScene(*command, exit); });

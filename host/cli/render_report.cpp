@@ -6,6 +6,7 @@
 #include <iomanip>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <sstream>
 
 namespace hyalite::cli {
@@ -76,6 +77,9 @@ std::string jsonReport(const RenderReport& report) {
     }
     object["seconds"] = {
         {"total", report.totalSeconds}, {"setup", report.setupSeconds}, {"render", report.renderSeconds}};
+    if (!report.memory.empty()) {
+        object["buffer_bytes"] = report.memory;
+    }
     if (report.counts) {
         object["counts"] = {{"camera_rays", report.counts->cameraRays},
                             {"shadow_rays", report.counts->shadowRays},
@@ -172,6 +176,25 @@ std::string stageTable(const RenderReport& report) {
     table << std::left << std::setw(24) << "all stages" << std::right << std::setw(10) << std::setprecision(3) << total
           << std::setw(7) << std::setprecision(1) << 100 * total / std::max(report.renderSeconds, 1e-9)
           << " % of the time between the first pass and the last\n";
+    return table.str();
+}
+
+std::string memoryTable(const RenderReport& report) {
+    std::vector<std::pair<std::string, std::size_t>> buffers(report.memory.begin(), report.memory.end());
+    std::ranges::sort(buffers, [](const auto& a, const auto& b) { return a.second > b.second; });
+    const auto total = std::accumulate(buffers.begin(), buffers.end(), std::size_t{0},
+                                       [](std::size_t sum, const auto& buffer) { return sum + buffer.second; });
+    const auto mebibytes = [](std::size_t bytes) { return static_cast<double>(bytes) / (1024.0 * 1024.0); };
+    std::ostringstream table;
+    table << std::fixed << std::setprecision(1) << std::left << std::setw(24) << "buffer" << std::right << std::setw(10)
+          << "MiB" << '\n';
+    for (const auto& [name, bytes] : buffers) {
+        if (100 * bytes >= total) {
+            table << std::left << std::setw(24) << name << std::right << std::setw(10) << mebibytes(bytes) << '\n';
+        }
+    }
+    table << std::left << std::setw(24) << "all buffers" << std::right << std::setw(10) << mebibytes(total)
+          << "  (those of less than 1 % are not listed)\n";
     return table.str();
 }
 

@@ -31,6 +31,7 @@ struct RenderReport {
     double renderSeconds = 0;
     std::optional<render::Counts> counts; // the reference does not count
     render::RenderNotes notes;
+    std::map<std::string, std::size_t> memory; // bytes of the device's buffers, by name
     std::map<std::string, gpu::StageTime> stages;
 };
 
@@ -62,6 +63,9 @@ void printReport(const RenderReport& report, const ReportStyle& style);
 
 // Stages by falling share: seconds, share of all stages, dispatches, nanoseconds a thread.
 [[nodiscard]] std::string stageTable(const RenderReport& report);
+
+// Buffers by falling size.
+[[nodiscard]] std::string memoryTable(const RenderReport& report);
 
 // What became of the flux of each light [W], and what the photon maps saved; empty where no account was kept.
 [[nodiscard]] std::string photonTable(const RenderReport& report);

@@ -14,6 +14,13 @@ bool holdsShaders(const std::filesystem::path& folder) {
            std::filesystem::is_directory(folder / "shared", ignored);
 }
 
+// share/hyalite beside the folder that the program stands in.
+std::filesystem::path installedFolder() {
+    std::error_code ignored; // then it names nothing that is there
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+    return program.parent_path().parent_path() / "share/hyalite";
+}
+
 } // namespace
 
 std::filesystem::path findShaders(const std::string& given) {
@@ -24,10 +31,8 @@ std::filesystem::path findShaders(const std::string& given) {
         }
         return given;
     }
-    std::error_code error;
-    const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
-    const std::filesystem::path installed = program.parent_path().parent_path() / "share/hyalite/shaders";
-    if (!error && holdsShaders(installed)) {
+    const std::filesystem::path installed = installedFolder() / "shaders";
+    if (holdsShaders(installed)) {
         return installed;
     }
     if (holdsShaders(HYALITE_SHADER_DIR)) {
@@ -37,6 +42,12 @@ std::filesystem::path findShaders(const std::string& given) {
                 "the shaders folder is gone: neither " + installed.string() + " nor " + HYALITE_SHADER_DIR +
                     " is there",
                 "name it with --shaders DIR");
+}
+
+std::filesystem::path shippedKernels() {
+    std::error_code ignored;
+    const std::filesystem::path installed = installedFolder() / "spirv";
+    return std::filesystem::is_directory(installed, ignored) ? installed : std::filesystem::path(HYALITE_SPIRV_DIR);
 }
 
 std::filesystem::path cacheFolder() {

@@ -13,4 +13,7 @@ namespace hyalite::cli {
 // $XDG_CACHE_HOME/hyalite or ~/.cache/hyalite; empty (no cache) when the user has neither.
 [[nodiscard]] std::filesystem::path cacheFolder();
 
+// Where the kernels are that were compiled when the program was built; it may be gone.
+[[nodiscard]] std::filesystem::path shippedKernels();
+
 } // namespace hyalite::cli

@@ -92,7 +92,7 @@ Buffer::Buffer(const Context& owner, std::size_t bytes, std::string name) : impl
         const auto handle = reinterpret_cast<std::uint64_t>(static_cast<VkBuffer>(*impl_->buffer));
         context.nameObject(vk::ObjectType::eBuffer, handle, impl_->name);
     });
-    context.buffers[impl_->address] = mapped();
+    context.buffers[impl_->address] = {impl_->name, mapped()};
     impl_->owner = &context;
 }
 

@@ -198,12 +198,13 @@ void Commands::run(const Kernel& kernel, std::span<const std::byte> arguments, s
                                                 " in another format than it was set in");
         }
     }
+    const std::uint32_t groups = (threads - 1) / shared::kGroupSize + 1;
     if constexpr (kCheckedKernels) {
         finish();
         impl_->tables.describeBuffers();
     }
     if (impl_->observer == nullptr) {
-        record(kernel, arguments, threads);
+        record(kernel, arguments, {.first = 0, .end = groups});
         if constexpr (kCheckedKernels) {
             finish();
             if (const std::string what = impl_->tables.indexOutside(implementation.sources); !what.empty()) {
@@ -215,25 +216,35 @@ void Commands::run(const Kernel& kernel, std::span<const std::byte> arguments, s
     const Dispatch dispatch{kernel, arguments, threads};
     finish();
     impl_->observer->before(dispatch);
-    record(kernel, arguments, threads);
-    finish();
+    const std::uint32_t piece = std::max(1U, impl_->observer->threadsOfPiece() / shared::kGroupSize);
+    for (std::uint32_t first = 0; first < groups;) {
+        if (first > 0) {
+            impl_->observer->between();
+        }
+        const std::uint32_t end = groups - first > piece ? first + piece : groups;
+        record(kernel, arguments, {.first = first, .end = end});
+        finish();
+        first = end;
+    }
     impl_->observer->after(dispatch);
 }
 
-void Commands::record(const Kernel& kernel, std::span<const std::byte> arguments, std::uint32_t threads) {
+void Commands::record(const Kernel& kernel, std::span<const std::byte> arguments, const Groups& groups) {
     const Kernel::Impl& implementation = kernel.impl();
-    const std::uint32_t groups = (threads - 1) / shared::kGroupSize + 1;
     checked("recording kernel '" + kernel.name() + '\'', [&] {
-        impl_->record({.name = kernel.name(), .dispatches = 1, .threads = threads}, [&] {
+        const std::uint64_t threads = std::uint64_t(groups.end - groups.first) * shared::kGroupSize;
+        impl_->record({.name = kernel.name(), .dispatches = groups.first == 0 ? 1U : 0U, .threads = threads}, [&] {
             const auto stage = vk::ShaderStageFlagBits::eCompute;
-            for (std::uint32_t row = 0, done = 0; done < groups; ++row, done += kGroupsPerPiece) {
+            for (std::uint32_t at = groups.first; at < groups.end;) {
                 const vk::raii::CommandBuffer& buffer = impl_->recorder();
                 buffer.bindPipeline(vk::PipelineBindPoint::eCompute, *implementation.pipeline);
                 buffer.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *implementation.layout, 0,
                                           *impl_->tables.set, nullptr);
                 buffer.pushConstants<std::byte>(*implementation.layout, stage, 0, arguments);
-                const std::uint32_t width = std::min(groups - done, kGroupsPerPiece);
-                buffer.dispatchBase(0, row, 0, width, 1, 1);
+                const std::uint32_t inRow = at % kGroupsPerPiece;
+                const std::uint32_t width = std::min(groups.end - at, kGroupsPerPiece - inRow);
+                buffer.dispatchBase(inRow, at / kGroupsPerPiece, 0, width, 1, 1);
+                at += width;
                 impl_->threadsRecorded += std::uint64_t(width) * shared::kGroupSize;
                 if (impl_->threadsRecorded >= kThreadsPerSubmission) {
                     impl_->submit({});

@@ -47,7 +47,11 @@ public:
 
 private:
     void run(const Kernel& kernel, std::span<const std::byte> arguments, std::uint32_t threads);
-    void record(const Kernel& kernel, std::span<const std::byte> arguments, std::uint32_t threads);
+    struct Groups {
+        std::uint32_t first = 0;
+        std::uint32_t end = 0; // > first
+    };
+    void record(const Kernel& kernel, std::span<const std::byte> arguments, const Groups& groups);
 
     struct Impl;
     std::unique_ptr<Impl> impl_;

@@ -3,6 +3,7 @@
 
 #include "gpu/checked_kernels.h"
 #include "gpu/driver_hint.h"
+#include "gpu/lavapipe.h"
 
 #include <algorithm>
 #include <array>
@@ -112,8 +113,10 @@ void open(Context::Impl& impl, const ContextOptions& options) {
     std::transform(physicals.begin(), physicals.end(), std::back_inserter(devices), describe);
     const std::size_t chosen = chooseDevice(devices, options.device);
     impl.info = devices[chosen];
+    impl.index = chosen;
     impl.physical = std::move(physicals[chosen]);
     impl.queueFamily = computeQueueFamily(impl.physical);
+    impl.workers = impl.info.software ? lavapipeThreads() : 1;
     readLimits(impl);
     impl.device = makeDevice(impl);
     impl.queue = impl.device.getQueue(impl.queueFamily, 0);
@@ -145,8 +148,17 @@ std::span<std::byte> Context::memoryAt(std::uint64_t address) const {
     if (after == impl_->buffers.begin()) {
         return {};
     }
-    const auto& [begin, bytes] = *--after;
+    const auto& [begin, buffer] = *--after;
+    const std::span<std::byte> bytes = buffer.bytes;
     return address - begin < bytes.size() ? bytes.subspan(address - begin) : std::span<std::byte>();
+}
+
+std::map<std::string, std::size_t> Context::memory() const {
+    std::map<std::string, std::size_t> bytes;
+    for (const auto& [address, buffer] : impl_->buffers) {
+        bytes[buffer.name] += buffer.bytes.size();
+    }
+    return bytes;
 }
 
 std::uint32_t Context::validationMessages() const {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -50,6 +51,9 @@ public:
 
     // From a device address to the end of the buffer it lies in, as the host sees it; empty where there is no buffer.
     [[nodiscard]] std::span<std::byte> memoryAt(std::uint64_t address) const;
+
+    // Bytes of the buffers that exist, by name: several may share one.
+    [[nodiscard]] std::map<std::string, std::size_t> memory() const;
 
     struct Impl; // host/gpu only
     [[nodiscard]] Impl& impl() const { return *impl_; }

@@ -16,23 +16,30 @@ struct ValidationLog {
     std::function<void(const std::string&)> handler;
 };
 
+struct ListedBuffer {
+    std::string name;
+    std::span<std::byte> bytes;
+};
+
 struct Context::Impl {
     ValidationLog log;
     DeviceInfo info;
+    std::size_t index = 0; // of the device, in the loader's list
     std::unique_ptr<vk::raii::Context> loader;
     vk::raii::Instance instance = nullptr;
     vk::raii::DebugUtilsMessengerEXT messenger = nullptr;
     vk::raii::PhysicalDevice physical = nullptr;
     std::uint32_t queueFamily = 0;
+    std::uint32_t workers = 1; // threads of the CPU that each take a block of a dispatch's groups; of a GPU one
     vk::raii::Device device = nullptr;
     vk::raii::Queue queue = nullptr;
 
     vk::PhysicalDeviceLimits limits;
-    vk::DeviceSize maxAllocation = 0;                      // bytes of one memory allocation and of one buffer
-    bool memoryBudget = false;                             // VK_EXT_memory_budget says how much of a heap is free
-    std::uint64_t timestampMask = 0;                       // the bits of a timestamp that count
-    double secondsPerTick = 0;                             // of a timestamp
-    std::map<std::uint64_t, std::span<std::byte>> buffers; // that exist, by device address
+    vk::DeviceSize maxAllocation = 0;              // bytes of one memory allocation and of one buffer
+    bool memoryBudget = false;                     // VK_EXT_memory_budget says how much of a heap is free
+    std::uint64_t timestampMask = 0;               // the bits of a timestamp that count
+    double secondsPerTick = 0;                     // of a timestamp
+    std::map<std::uint64_t, ListedBuffer> buffers; // that exist, by device address
     Watchdog watchdog;
     void nameObject(vk::ObjectType type, std::uint64_t handle,
                     const std::string& name) const; // for validation messages

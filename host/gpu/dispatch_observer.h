@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace hyalite::gpu {
@@ -25,6 +26,11 @@ public:
 
     virtual void before(const Dispatch& dispatch) = 0;
     virtual void after(const Dispatch& dispatch) = 0;
+
+    // A dispatch runs in pieces of at most so many threads, and between() is called when one is done: it may throw to
+    // have the rest left out.
+    [[nodiscard]] virtual std::uint32_t threadsOfPiece() const { return std::numeric_limits<std::uint32_t>::max(); }
+    virtual void between() {}
 };
 
 } // namespace hyalite::gpu

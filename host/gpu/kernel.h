@@ -15,6 +15,8 @@ struct StructMember {
     std::string name; // "camera.width" inside a struct member
     std::uint32_t offset = 0;
     std::uint32_t size = 0;
+    std::string type = {}; // GLSL's, e.g. "vec3"; of a device array that of its elements, e.g. "Ray"
+    bool isArray = false;  // a device array: the member holds its address
 };
 
 // What the SPIR-V says of itself.
@@ -55,6 +57,13 @@ public:
 private:
     using Made = std::shared_ptr<const Impl>;
     explicit Kernel(std::shared_future<Made> impl) : impl_(std::move(impl)) {}
+
+    static Made make(const Context::Impl& context, const TexelTables::Impl& tables, const ShaderCompiler& compiler,
+                     const std::string& name, const Specialization& specialization, bool ahead);
+    // Has a driver that compiles at the first dispatch, in the one thread of a device's queue, do it now in this
+    // thread, on a device of its own, for the driver's cache.
+    static void compileAhead(const Context::Impl& context, std::size_t bindings, const Impl& kernel,
+                             const SpirV& specialized);
 
     std::shared_future<Made> impl_;
 };

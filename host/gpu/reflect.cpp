@@ -48,36 +48,41 @@ private:
         const std::string name = compiler_.get_member_name(owner.self, index);
         const std::uint32_t offset = compiler_.type_struct_member_offset(owner, index);
         if (type.pointer) {
-            visitDeviceArray(type);
-            members.push_back({name, offset, sizeof(std::uint64_t)});
+            members.push_back({name, offset, sizeof(std::uint64_t), visitDeviceArray(type), true});
             return sizeof(std::uint64_t);
         }
         if (type.basetype == SPIRType::Struct) {
             const std::uint32_t alignment = visitStruct(type.self, type);
             for (const StructMember& inner : interface_.structs.at(compiler_.get_name(type.self))) {
-                members.push_back({name + '.' + inner.name, offset + inner.offset, inner.size});
+                members.push_back(
+                    {name + '.' + inner.name, offset + inner.offset, inner.size, inner.type, inner.isArray});
             }
             return alignment;
         }
-        members.push_back({name, offset, std::uint32_t(compiler_.get_declared_struct_member_size(owner, index))});
+        members.push_back({name, offset, std::uint32_t(compiler_.get_declared_struct_member_size(owner, index)),
+                           elementName(type), false});
         return type.width / 8;
     }
 
-    // A buffer_reference block; its one member is the array.
-    void visitDeviceArray(const SPIRType& pointer) {
+    // A buffer_reference block; its one member is the array. Returns the name of the elements' type.
+    std::string visitDeviceArray(const SPIRType& pointer) {
         const SPIRType& block = compiler_.get_type(pointer.parent_type);
-        if (!visitedBlocks_.insert(block.self).second || block.member_types.empty()) {
-            return;
+        if (block.member_types.empty()) {
+            return {};
         }
         const SPIRType& array = compiler_.get_type(block.member_types[0]);
         if (array.array.empty()) {
-            return;
+            return {};
         }
         const SPIRType& element = compiler_.get_type(array.parent_type);
+        if (!visitedBlocks_.insert(block.self).second) {
+            return elementName(element);
+        }
         interface_.arrayStrides[elementName(element)] = compiler_.type_struct_member_array_stride(block, 0);
         if (element.basetype == SPIRType::Struct) {
             visitStruct(element.self, element);
         }
+        return elementName(element);
     }
 
     // The struct's name, or GLSL's for a scalar or vector.

@@ -6,6 +6,7 @@
 #include "gpu/checked_kernels.h"
 #include "gpu/shader_sources.h"
 #include "gpu/spirv_cache.h"
+#include "gpu/spirv_optimizer.h"
 
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
@@ -18,8 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // Changes whenever the options below change what comes out of the same source.
-constexpr const char* kCacheFormat =
-    kCheckedKernels ? "hyalite 1, vulkan 1.3, spirv 1.6, checked" : "hyalite 1, vulkan 1.3, spirv 1.6";
+constexpr const char* kCacheFormat = kCheckedKernels ? "hyalite 2, vulkan 1.3, spirv 1.6, inlined, checked"
+                                                     : "hyalite 2, vulkan 1.3, spirv 1.6, inlined";
 
 constexpr auto kMessages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
 
@@ -117,12 +118,12 @@ SpirV compileSource(const std::string& kernel, const fs::path& file, const Shade
     }
     SpirV spirv;
     spv::SpvBuildLogger logger;
-    glslang::SpvOptions options; // the driver optimises
+    glslang::SpvOptions options;
     glslang::GlslangToSpv(*program.getIntermediate(EShLangCompute), spirv, &logger, &options);
     if (spirv.empty()) {
         throw compileError(kernel, file, logger.getAllMessages());
     }
-    return spirv;
+    return inlineFunctions(std::move(spirv));
 }
 
 std::string compilerVersion() {
@@ -132,38 +133,81 @@ std::string compilerVersion() {
 
 } // namespace
 
-ShaderCompiler::ShaderCompiler(fs::path shaders, fs::path cache)
-    : shaders_(std::move(shaders)), cache_(std::move(cache)) {}
+ShaderCompiler::ShaderCompiler(fs::path shaders, fs::path cache, fs::path shipped)
+    : shaders_(std::move(shaders)), cache_(std::move(cache)), shipped_(std::move(shipped)) {}
 
-SpirV ShaderCompiler::compile(const std::string& kernel) const {
-    const ShaderSources sources(shaders_);
+struct ShaderCompiler::Sources {
+    ShaderSources folder;
+    fs::path file;
+    SourceTexts texts;
+    std::string nameInCache;
+};
+
+ShaderCompiler::Sources ShaderCompiler::sourcesOf(const std::string& kernel) const {
     const fs::path file = (shaders_ / "kernels" / (kernel + ".comp")).lexically_normal();
     if (!fs::is_regular_file(file)) {
         throw Error(ExitCode::BadInput, "no kernel '" + kernel + "' (" + file.string() + " is not there)");
     }
-    SourceTexts texts = sources.reach(file);
+    Sources sources{ShaderSources(shaders_), file, {}, {}};
+    sources.texts = sources.folder.reach(file);
+    for (const auto& [path, text] : replaced_) {
+        if (const auto found = sources.texts.find((shaders_ / path).lexically_normal().string());
+            found != sources.texts.end()) {
+            found->second = text;
+        }
+    }
     std::string key = std::string(kCacheFormat) + '\n' + compilerVersion() + '\n';
-    for (const auto& [path, text] : texts) {
+    for (const auto& [path, text] : sources.texts) {
         // Where the folder stands does not matter, what it holds does.
         key += fs::path(path).lexically_relative(shaders_.lexically_normal()).string() + '\n' +
                std::to_string(text.size()) + '\n' + text;
     }
-    const SpirvCache cache(cache_);
-    const std::string name = kernel + '-' + SpirvCache::key(key);
-    if (std::optional<SpirV> cached = cache.load(name)) {
-        return *std::move(cached);
+    sources.nameInCache = kernel + '-' + SpirvCache::key(key);
+    return sources;
+}
+
+std::string ShaderCompiler::nameInCache(const std::string& kernel) const {
+    return sourcesOf(kernel).nameInCache;
+}
+
+std::optional<SpirV> ShaderCompiler::fromCache(const std::string& nameInCache) const {
+    std::optional<SpirV> shipped = SpirvCache(shipped_).load(nameInCache);
+    return shipped ? std::move(shipped) : SpirvCache(cache_).load(nameInCache);
+}
+
+SpirV ShaderCompiler::compile(const std::string& kernel) const {
+    Sources sources = sourcesOf(kernel);
+    if (std::optional<SpirV> made = fromCache(sources.nameInCache)) {
+        return *std::move(made);
     }
     if constexpr (kCheckedKernels) {
         std::uint32_t number = 0;
-        for (auto& [path, text] : texts) {
+        for (auto& [path, text] : sources.texts) {
             const bool checksItself = fs::path(path).filename() == "checked.glsl";
             text = checksItself ? text : withBoundChecks(text, number);
             ++number;
         }
     }
-    SpirV spirv = compileSource(kernel, file, sources, texts);
-    cache.store(name, spirv);
+    SpirV spirv = compileSource(kernel, sources.file, sources.folder, sources.texts);
+    SpirvCache(cache_).store(sources.nameInCache, spirv);
     return spirv;
+}
+
+SpecializedKernel ShaderCompiler::specialized(const std::string& kernel, const SpirV& spirv,
+                                              const std::map<std::uint32_t, std::uint32_t>& constants) const {
+    std::string key = std::string(kCacheFormat) + '\n';
+    for (const auto& [id, value] : constants) {
+        key += std::to_string(id) + ' ' + std::to_string(value) + '\n';
+    }
+    key.append(reinterpret_cast<const char*>(spirv.data()), spirv.size() * sizeof(SpirV::value_type));
+    const std::string name = kernel + "-specialized-" + SpirvCache::key(key);
+    const SpirvCache cache(cache_);
+    if (std::optional<SpirV> cached = cache.load(name)) {
+        return {.spirv = *std::move(cached), .isNew = false};
+    }
+    SpecializedKernel result{.spirv = specialize(spirv, constants), .isNew = true};
+    cache.store(name, result.spirv);
+    return result;
 }
 
 std::uint64_t ShaderCompiler::hashOfSources() const {
@@ -173,6 +217,9 @@ std::uint64_t ShaderCompiler::hashOfSources() const {
         if (entry.path().extension() == ".comp") {
             texts.merge(sources.reach(entry.path()));
         }
+    }
+    for (const auto& [path, text] : replaced_) {
+        texts[(shaders_ / path).lexically_normal().string()] = text;
     }
     std::uint64_t hash = kFnvStart;
     for (const auto& [path, text] : texts) {

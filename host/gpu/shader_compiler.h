@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,15 +12,38 @@ namespace hyalite::gpu {
 
 using SpirV = std::vector<std::uint32_t>;
 
+// A kernel with values in place of its specialization constants.
+struct SpecializedKernel {
+    SpirV spirv;
+    bool isNew = false; // it was not in the cache
+};
+
 class ShaderCompiler {
 public:
     // `shaders`: the folder that holds kernels/, lib/ and shared/. `cache`: where compiled kernels are kept, named by
-    // a hash of all their source text and of the compiler's version; empty: no cache.
-    explicit ShaderCompiler(std::filesystem::path shaders, std::filesystem::path cache = {});
+    // a hash of all their source text and of the compiler's version; empty: no cache. `shipped`: a folder of the same
+    // kind that is only read.
+    explicit ShaderCompiler(std::filesystem::path shaders, std::filesystem::path cache = {},
+                            std::filesystem::path shipped = {});
+    virtual ~ShaderCompiler() = default;
+    ShaderCompiler(const ShaderCompiler&) = default;
+    ShaderCompiler& operator=(const ShaderCompiler&) = default;
+
+    // From now on these texts stand in place of files of the shaders folder, named relative to it.
+    void replace(std::map<std::string, std::string> texts) { replaced_ = std::move(texts); }
 
     // Compiles kernels/<kernel>.comp. #include "lib/x.glsl" is looked for beside the including file, then in the
     // shaders folder. Throws Error(BadInput) at file:line of the source that is wrong, naming the kernel.
-    [[nodiscard]] SpirV compile(const std::string& kernel) const;
+    [[nodiscard]] virtual SpirV compile(const std::string& kernel) const;
+
+    // What the kernel is called in the cache: another name whenever any text that it reaches is another. Throws
+    // Error(BadInput) where it is not there.
+    [[nodiscard]] std::string nameInCache(const std::string& kernel) const;
+    [[nodiscard]] std::optional<SpirV> fromCache(const std::string& nameInCache) const;
+
+    // What compile(kernel) gave, with values for its specialization constants, by id.
+    [[nodiscard]] SpecializedKernel specialized(const std::string& kernel, const SpirV& spirv,
+                                                const std::map<std::uint32_t, std::uint32_t>& constants) const;
 
     // A number that changes with any source below the shaders folder.
     [[nodiscard]] std::uint64_t hashOfSources() const;
@@ -26,8 +51,13 @@ public:
     [[nodiscard]] const std::filesystem::path& shaders() const { return shaders_; }
 
 private:
+    struct Sources;
+    [[nodiscard]] Sources sourcesOf(const std::string& kernel) const;
+
     std::filesystem::path shaders_;
     std::filesystem::path cache_;
+    std::filesystem::path shipped_;
+    std::map<std::string, std::string> replaced_;
 };
 
 } // namespace hyalite::gpu

@@ -3,6 +3,7 @@
 
 #include "base/fnv.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdio>

@@ -11,12 +11,14 @@
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
+#include <ImfThreading.h>
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
 #include <exception>
 #include <stdexcept>
+#include <thread>
 
 namespace hyalite {
 namespace {
@@ -136,9 +138,10 @@ Image placeInDisplay(const std::vector<glm::vec3>& pixels, const Imath::Box2i& d
     return image;
 }
 
-// Tells OpenEXR once to refuse headers with absurd sizes before it allocates for them.
-void limitOpenExr() {
+// Tells OpenEXR once to refuse headers with absurd sizes before it allocates for them, and to compress with all cores.
+void setUpOpenExr() {
     static const bool kDone = [] {
+        Imf::setGlobalThreadCount(static_cast<int>(std::thread::hardware_concurrency()));
         Imf::Header::setMaxImageSize(kMaxImageSide, kMaxImageSide);
         Imf::Header::setMaxTileSize(4096, 4096);
         return true;
@@ -154,6 +157,7 @@ bool looksLikeExr(std::span<const std::byte> file) {
 }
 
 std::vector<std::byte> encodeExr(std::span<const Layer> layers, const Metadata& metadata) {
+    setUpOpenExr();
     const Image& first = layers.front().image;
     Imf::Header header(first.width, first.height);
     header.compression() = Imf::ZIP_COMPRESSION;
@@ -181,7 +185,7 @@ std::vector<std::byte> encodeExr(std::span<const Layer> layers, const Metadata& 
 }
 
 Image decodeExr(std::span<const std::byte> file, const std::string& fileName) {
-    limitOpenExr();
+    setUpOpenExr();
     try {
         MemoryInput stream(file, fileName);
         Imf::InputFile input(stream);

@@ -1,10 +1,34 @@
 #include "parity/capture.h"
 
 #include "parity/twins.h"
+#include "reference/custom_twins.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace hyalite::parity {
+
+namespace {
+
+// The scene's own code that a kernel runs and that has no twin; nullptr: none.
+const CustomCode* codeWithoutTwin(const Scene& scene, std::string_view kernel) {
+    constexpr std::array<std::string_view, 3> kTextured{"shade_surface", "scatter_photon", "cast_shadow_photons"};
+    constexpr std::array<std::string_view, 3> kReflecting{"shade_surface", "scatter_photon", "sample_rough_lights"};
+    if (kernel == "estimate_radiance") {
+        return scene.render.photonMap.customFilter.get();
+    }
+    const CustomCode* code = nullptr;
+    if (std::ranges::find(kTextured, kernel) != kTextured.end()) {
+        code = reference::textureWithoutTwin(scene);
+    }
+    if (code == nullptr && std::ranges::find(kReflecting, kernel) != kReflecting.end()) {
+        code = reference::reflectanceWithoutTwin(scene);
+    }
+    return code;
+}
+
+} // namespace
 
 Capture::Capture(const gpu::Context& context, const gpu::TexelTables& tables, const Sides& sides,
                  std::set<std::string> wanted)
@@ -27,7 +51,9 @@ void Capture::after(const gpu::Dispatch& dispatch) {
         result.order = dispatches_;
     }
     const std::uint64_t failedBefore = result.failed;
-    if (const TwinFunction twin = twinOf(kernel)) {
+    if (const CustomCode* code = codeWithoutTwin(sides_.scene(), kernel)) {
+        result.withoutTwin = code->file;
+    } else if (const TwinFunction twin = twinOf(kernel)) {
         twin({sides_, *seen_, comparison, "dispatch " + std::to_string(dispatches_)});
     }
     if (failedBefore == 0 && result.failed > 0) {

@@ -61,8 +61,9 @@ struct StageResult {
     std::uint64_t apart = 0;
     std::uint64_t failed = 0;
     std::vector<FieldResult> fields;
+    std::string withoutTwin; // the scene's own code that it runs and that has no twin; empty: none
 
-    [[nodiscard]] bool hasTwin() const { return !fields.empty(); }
+    [[nodiscard]] bool hasTwin() const { return !fields.empty() && withoutTwin.empty(); }
     [[nodiscard]] double shareApart() const { return elements == 0 ? 0 : double(apart) / double(elements); }
     // Where it stands among the stages that failed.
     [[nodiscard]] std::uint64_t failureOrder() const { return firstFailure > 0 ? firstFailure : order; }

@@ -3,6 +3,7 @@
 #include "image/flip.h"
 #include "image/metrics.h"
 #include "parity/capture.h"
+#include "reference/custom_twins.h"
 #include "reference/render.h"
 #include "render/device.h"
 #include "render/renderer.h"
@@ -92,7 +93,7 @@ Result compareSides(const gpu::Context& context, const gpu::ShaderCompiler& comp
     render::RenderResult rendered = render::render(context, compiler, scene, renderOptions);
     Result result;
     result.stages = capture->finish();
-    if (options.stages.empty()) {
+    if (options.stages.empty() && reference::codeWithoutTwin(scene) == nullptr) {
         result.paths = comparePaths(*sides, capture->recorder());
         const std::uint32_t pixels = scene.camera.resolution.x * scene.camera.resolution.y;
         for (std::uint32_t pixel = 0; pixels <= kMostShown && pixel < pixels; ++pixel) {

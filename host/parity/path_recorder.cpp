@@ -70,7 +70,7 @@ void PathRecorder::see(const Observed& dispatch) {
     } else if ((kernel == "emit_photons" || kernel == "emit_caustic_photons") &&
                photonPasses_.size() < kRecordedPasses) {
         seeEmission(dispatch);
-    } else if (kernel == "scatter_photon") {
+    } else if (kernel == "scatter_photon" && !onlyPixel_) {
         seeScattering(dispatch);
     }
 }
@@ -86,6 +86,9 @@ void PathRecorder::seeShading(const Observed& dispatch) {
     const auto nextRays = dispatch.after<shared::Ray>(args.nextRays, slots);
     const auto alive = dispatch.after<shared::uint>(args.alive, slots);
     for (std::size_t i = 0; i < args.count; ++i) {
+        if (leavesOut(paths[i].pixel)) {
+            continue;
+        }
         std::optional<reference::Surface> surface;
         DeviceVertex vertex = vertexAt(sides_, rays[i], hits[i], surface);
         vertex.seed = paths[i].samplerSeed;
@@ -114,7 +117,7 @@ void PathRecorder::seeBounces(const Observed& dispatch) {
     const auto before = dispatch.before<shared::uint>(args.alive, args.count);
     const auto after = dispatch.after<shared::uint>(args.alive, args.count);
     for (std::size_t i = 0; i < args.count; ++i) {
-        if (before[i] == 0 && after[i] != 0) {
+        if (before[i] == 0 && after[i] != 0 && !leavesOut(paths[i].pixel)) {
             paths_[{false, args.pass, paths[i].pixel}].back().choice |= kBounced;
         }
     }
@@ -123,11 +126,11 @@ void PathRecorder::seeBounces(const Observed& dispatch) {
 void PathRecorder::seeEmission(const Observed& dispatch) {
     if (dispatch.kernel() == "emit_caustic_photons") {
         const auto args = dispatch.arguments<shared::EmitCausticPhotonsArguments>();
-        photonPasses_[args.sequence].pass = {.sequence = args.sequence, .count = args.count, .aimed = true};
+        photonPasses_[args.sequence].pass = {.sequence = args.sequence, .count = args.ofPass, .aimed = true};
         return;
     }
     const auto args = dispatch.arguments<shared::EmitPhotonsArguments>();
-    photonPasses_[args.sequence].pass = {.sequence = args.sequence, .count = args.count};
+    photonPasses_[args.sequence].pass = {.sequence = args.sequence, .count = args.ofPass};
 }
 
 void PathRecorder::seeScattering(const Observed& dispatch) {

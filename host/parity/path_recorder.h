@@ -6,6 +6,7 @@
 #include "parity/vertex.h"
 
 #include <map>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -22,8 +23,9 @@ inline constexpr std::uint32_t kRecordedPasses = 4;
 
 class PathRecorder {
 public:
-    // A reference is kept.
-    explicit PathRecorder(const Sides& sides) : sides_(sides) {}
+    // A reference is kept. `onlyPixel`: of all paths, those of this pixel alone.
+    explicit PathRecorder(const Sides& sides, std::optional<std::uint32_t> onlyPixel = {})
+        : sides_(sides), onlyPixel_(onlyPixel) {}
 
     // Notes what a dispatch that has just run says of paths.
     void see(const Observed& dispatch);
@@ -38,7 +40,10 @@ private:
     void seeEmission(const Observed& dispatch);
     void seeScattering(const Observed& dispatch);
 
+    [[nodiscard]] bool leavesOut(std::uint32_t pixel) const { return onlyPixel_ && *onlyPixel_ != pixel; }
+
     const Sides& sides_;
+    std::optional<std::uint32_t> onlyPixel_;
     bool fromCamera_ = false;        // the camera queue holds paths that begin at the camera
     std::uint32_t cameraPasses_ = 0; // begun
     std::map<PathKey, std::vector<DeviceVertex>> paths_;

@@ -70,7 +70,8 @@ Json jsonOf(const PathResult& paths) {
 std::string verdict(const Result& result) {
     if (const StageResult* first = result.firstFailure()) {
         if (!first->hasTwin()) {
-            return "parity FAILED: " + first->name + " has no twin to compare with";
+            return "parity FAILED: " + first->name + " has no twin to compare with" +
+                   (first->withoutTwin.empty() ? "" : ": it runs the scene's own " + first->withoutTwin);
         }
         if (first->failed == 0) {
             return "parity FAILED: " + first->name + ": rounding decides too often, in " +

@@ -1,5 +1,6 @@
 #include "parity/sides.h"
 
+#include "base/error.h"
 #include "parity/nudge.h"
 
 #include "shaders/shared/limits.h"
@@ -24,9 +25,23 @@ double scaleOf(const Scene& scene, const reference::World& world) {
     return scale;
 }
 
+// The scene's code is known by its number among the materials that have some.
+CustomReflectance customOf(const shared::Lobe& lobe, const Scene& scene) {
+    auto number = static_cast<std::uint32_t>(lobe.extinction.y);
+    for (const Material& material : scene.materials) {
+        const auto* custom = std::get_if<CustomReflectance>(&material.model);
+        if (custom != nullptr && number-- == 0) {
+            return {custom->code, glm::dvec4(dvec3(lobe.color), double{lobe.extinction.x}), 1};
+        }
+    }
+    throw Error(ExitCode::Device, "a lobe names code that the scene does not have");
+}
+
 // What the kernel's lobe says, as a material that says the same.
-MaterialModel modelOf(const shared::Lobe& lobe) {
+MaterialModel modelOf(const shared::Lobe& lobe, const Scene& scene) {
     switch (lobe.type) {
+    case shared::kMaterialCustom:
+        return customOf(lobe, scene);
     case shared::kMaterialDielectric:
         return Dielectric{.ior = 1 / double{lobe.eta}, .roughness = 1}; // ior: not asked for again
     case shared::kMaterialConductor:
@@ -112,7 +127,7 @@ reference::RoughPoint Sides::toTwin(const shared::RoughPoint& x) const {
     twin.surface.geometricNormal = glm::normalize(dvec3(x.geometricNormal));
     twin.surface.normal = glm::normalize(dvec3(x.normal));
     twin.surface.offset = double{x.error};
-    twin.lobe = {.model = modelOf(x.lobe), .eta = double{x.lobe.eta}, .alpha = double{x.lobe.alpha}};
+    twin.lobe = {.model = modelOf(x.lobe, scene_), .eta = double{x.lobe.eta}, .alpha = double{x.lobe.alpha}};
     twin.wo = glm::normalize(dvec3(x.wo));
     twin.beta = dvec3(x.beta);
     twin.depth = x.depth;

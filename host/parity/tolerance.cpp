@@ -226,6 +226,8 @@ constexpr auto kTable = std::to_array<Tolerance>({
     angle("start_gather_rays", "direction", kSampled),
     real("start_gather_rays", "beta", Measure::Vector, kWeight),
     exact("splat_photons", "count", "edge of a pixel or silhouette"),
+    real("show_surface", "normal", Measure::Vector, kNormal, Scale::One),
+    real("show_surface", "depth", Measure::Vector, kSame),
     real("sum_paths", "color", Measure::Vector, kSum),
     real("add_gathered_light", "color", Measure::Vector, kRounding),
     real("accumulate_film", "color", Measure::Vector, kRounding),

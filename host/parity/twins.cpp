@@ -46,6 +46,7 @@ constexpr auto kTwins = std::to_array<std::pair<std::string_view, TwinFunction>>
     {"classify_visibility", compareClassifyVisibility},
     {"skip_shadow_rays", compareSkipShadowRays},
     {"start_gather_rays", compareStartGatherRays},
+    {"show_surface", compareShowSurface},
     {"splat_photons", compareSplatPhotons},
     {"sum_paths", compareSumPaths},
     {"add_gathered_light", compareAddGatheredLight},

@@ -72,6 +72,7 @@ void compareLookUpIrradiance(const Stage& stage);
 void compareClassifyVisibility(const Stage& stage);
 void compareSkipShadowRays(const Stage& stage);
 void compareSplatPhotons(const Stage& stage); // twins_film.cpp
+void compareShowSurface(const Stage& stage);
 void compareSumPaths(const Stage& stage);
 void compareAddGatheredLight(const Stage& stage);
 void compareAccumulateFilm(const Stage& stage);

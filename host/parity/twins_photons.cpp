@@ -28,15 +28,15 @@ Answer emissionAnswer(const Sides& sides, const reference::PhotonPath& path, con
 }
 
 void compareEmission(const Stage& stage, std::span<const shared::Ray> rays, std::span<const shared::PhotonPath> paths,
-                     const reference::PhotonPass& pass) {
-    for (std::uint32_t photon = 0; photon < pass.count; ++photon) {
+                     std::uint32_t first, const reference::PhotonPass& pass) {
+    for (std::uint32_t i = 0; i < paths.size(); ++i) {
         const Sides& sides = stage.sides;
-        stage.compare(
-            photon, emissionAnswer(sides, sides.toTwin(paths[photon]), sides.toTwin(rays[photon])), [&](Nudge nudge) {
-                const reference::Emission emission = reference::emitPhoton(sides.world(), photon, pass, nudge.shift());
-                return emissionAnswer(sides, {.power = emission.power, .photon = photon, .light = emission.light},
-                                      emission.ray);
-            });
+        const std::uint32_t photon = first + i;
+        stage.compare(i, emissionAnswer(sides, sides.toTwin(paths[i]), sides.toTwin(rays[i])), [&](Nudge nudge) {
+            const reference::Emission emission = reference::emitPhoton(sides.world(), photon, pass, nudge.shift());
+            return emissionAnswer(sides, {.power = emission.power, .photon = photon, .light = emission.light},
+                                  emission.ray);
+        });
     }
 }
 
@@ -166,15 +166,15 @@ struct ScatterStage {
 void compareEmitPhotons(const Stage& stage) {
     const auto args = stage.seen.arguments<shared::EmitPhotonsArguments>();
     compareEmission(stage, stage.seen.after<shared::Ray>(args.rays, args.count),
-                    stage.seen.after<shared::PhotonPath>(args.paths, args.count),
-                    {.sequence = args.sequence, .count = args.count});
+                    stage.seen.after<shared::PhotonPath>(args.paths, args.count), args.first,
+                    {.sequence = args.sequence, .count = args.ofPass});
 }
 
 void compareEmitCausticPhotons(const Stage& stage) {
     const auto args = stage.seen.arguments<shared::EmitCausticPhotonsArguments>();
     compareEmission(stage, stage.seen.after<shared::Ray>(args.rays, args.count),
-                    stage.seen.after<shared::PhotonPath>(args.paths, args.count),
-                    {.sequence = args.sequence, .count = args.count, .aimed = true});
+                    stage.seen.after<shared::PhotonPath>(args.paths, args.count), args.first,
+                    {.sequence = args.sequence, .count = args.ofPass, .aimed = true});
 }
 
 void compareScatterPhoton(const Stage& stage) {

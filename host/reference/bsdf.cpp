@@ -1,5 +1,6 @@
 #include "reference/bsdf.h"
 
+#include "reference/custom_twins.h"
 #include "reference/ggx.h"
 #include "reference/materials.h"
 #include "reference/sampling.h"
@@ -24,6 +25,9 @@ double roughnessOf(const MaterialModel& model) {
     }
     if (const auto* metal = std::get_if<Conductor>(&model)) {
         return metal->roughness;
+    }
+    if (const auto* custom = std::get_if<CustomReflectance>(&model)) {
+        return custom->roughness;
     }
     const auto* both = std::get_if<MetallicRoughness>(&model);
     return both != nullptr ? both->roughness : 0;
@@ -141,6 +145,9 @@ glm::dvec3 facetReflectance(const Lobe& lobe, double cosine) {
     }
     if (const auto* material = std::get_if<MetallicRoughness>(&lobe.model)) {
         return 1.0 - (1.0 - normalReflectance(*material)) * coatTransmission(c);
+    }
+    if (const auto* custom = std::get_if<CustomReflectance>(&lobe.model)) {
+        return glm::clamp(customReflectanceTwin(custom->code->function)(c, custom->parameters), 0.0, 1.0);
     }
     return glm::dvec3(fresnelDielectric(c, lobe.eta));
 }

@@ -93,6 +93,7 @@ double filterWeight(const RadianceEstimateOptions& options, double d, double r) 
         return 1 - d / (options.coneConstant * r);
     case PhotonFilter::Gaussian:
         return kAlpha * (1 - (1 - std::exp(-kBeta * d * d / (2 * r * r))) / (1 - std::exp(-kBeta)));
+    case PhotonFilter::Custom: // has no twin: render() refuses it
     case PhotonFilter::None:
         break;
     }
@@ -108,6 +109,7 @@ double meanFilterWeight(const RadianceEstimateOptions& options) {
         const double meanExponential = 2 / kBeta * (1 - std::exp(-kBeta / 2));
         return kAlpha * (1 - (1 - meanExponential) / (1 - std::exp(-kBeta)));
     }
+    case PhotonFilter::Custom:
     case PhotonFilter::None:
         break;
     }

@@ -1,6 +1,7 @@
 // Picks the integrator.
 #include "reference/render.h"
 
+#include "reference/custom_twins.h"
 #include "reference/path.h"
 #include "reference/photon_views.h"
 #include "reference/ppm.h"
@@ -11,6 +12,11 @@
 namespace hyalite::reference {
 
 LayeredImage render(const Scene& scene, const RenderOptions& options) {
+    if (const CustomCode* code = codeWithoutTwin(scene)) {
+        throw Error(ExitCode::WrongUsage, SourceLocation{.file = code->file},
+                    "this code of the scene is GLSL alone: the reference has no twin of it",
+                    "render with --backend vulkan");
+    }
     const World world = prepareWorld(scene);
     if (std::none_of(world.lights.begin(), world.lights.end(), [](const Light& light) { return light.pmf > 0; })) {
         throw Error(ExitCode::BadInput, SourceLocation{.file = scene.file}, "the scene emits no light",

@@ -1,6 +1,7 @@
 // See texture.h.
 #include "reference/texture.h"
 
+#include "reference/custom_twins.h"
 #include "reference/world.h"
 
 #include <cmath>
@@ -43,6 +44,17 @@ dvec3 evaluate(const ImageTexture& texture, const dvec2& uv, const dvec3& /*posi
     return sum;
 }
 
+dvec3 evaluate(const CustomTexture& texture, const dvec2& uv, const dvec3& position) {
+    const CustomTextureTwin twin = customTextureTwin(texture.code->function);
+    if (twin == nullptr) {
+        throw Error(ExitCode::WrongUsage, SourceLocation{texture.code->file},
+                    "the texture function '" + texture.code->function +
+                        "' is GLSL alone: the reference has no twin of it",
+                    "render it with --backend vulkan, or write the twin in host/reference/custom_twins.cpp");
+    }
+    return glm::clamp(twin(position, uv, texture.parameters), 0.0, 1.0);
+}
+
 void multiplyColor(Diffuse& model, const dvec3& factor) {
     model.albedo *= factor;
 }
@@ -54,6 +66,7 @@ void multiplyColor(MetallicRoughness& model, const dvec3& factor) {
 }
 void multiplyColor(Dielectric& /*has none*/, const dvec3& /*factor*/) {}
 void multiplyColor(Conductor& /*has none*/, const dvec3& /*factor*/) {}
+void multiplyColor(CustomReflectance& /*has none*/, const dvec3& /*factor*/) {}
 
 } // namespace
 

@@ -2,12 +2,14 @@
 // list of commands they are run by.
 #pragma once
 
+#include "base/error.h"
 #include "gpu/commands.h"
 #include "gpu/shader_compiler.h"
 
 #include "shaders/shared/scene_records.h"
 
 #include <map>
+#include <set>
 #include <utility>
 
 namespace hyalite::render {
@@ -32,6 +34,22 @@ struct Device {
             .try_emplace({name, specialization},
                          gpu::Kernel::inBackground(context, tables, compiler, name, specialization))
             .first->second;
+    }
+
+    // Waits until all kernels are made, or have failed to be.
+    void finishKernels() const {
+        for (const auto& [key, kernel] : kernels_) {
+            try {
+                static_cast<void>(kernel.impl());
+            } catch (const Error&) {
+                continue; // thrown again where it is run
+            }
+        }
+    }
+
+    // Makes these kernels anew when they are next asked for; who has one keeps it.
+    void forget(const std::set<std::string>& names) {
+        std::erase_if(kernels_, [&](const auto& entry) { return names.contains(entry.first.first); });
     }
 
 private:

@@ -44,14 +44,26 @@ shared::MaterialRecord record(const MetallicRoughness& material) {
     return r;
 }
 
+// Its number is still to come.
+shared::MaterialRecord record(const CustomReflectance& custom) {
+    shared::MaterialRecord r = blankRecord(shared::kMaterialCustom, glm::dvec3(custom.parameters));
+    r.extinction = glm::dvec3(custom.parameters.w, 0, 0);
+    r.roughness = static_cast<float>(custom.roughness);
+    return r;
+}
+
 } // namespace
 
 MaterialTable buildMaterialTable(const std::vector<Material>& materials) {
     MaterialTable table;
+    std::uint32_t customNumber = 0; // as customCode() counts them
     for (const Material& material : materials) {
         shared::MaterialRecord r = std::visit([](const auto& model) { return record(model); }, material.model);
         r.colorTexture = static_cast<std::uint32_t>(material.colorTexture.value_or(shared::kNone));
         r.roughnessTexture = static_cast<std::uint32_t>(material.roughnessTexture.value_or(shared::kNone));
+        if (r.type == shared::kMaterialCustom) {
+            r.extinction.y = static_cast<float>(customNumber++);
+        }
         table.types |= 1U << r.type;
         // A texture can only make it smoother
         table.types |= r.roughness * r.roughness >= shared::kSmoothAlpha ? 1U << shared::kMaterialRough : 0;

@@ -15,7 +15,7 @@ using glm::vec4;
 // A triangle costs about one box test. An estimate, not yet measured.
 constexpr std::uint32_t kTrianglesPerLeaf = 4;
 
-void appendMesh(MeshTables& tables, const Mesh& mesh) {
+void appendMesh(MeshTables& tables, std::size_t number, const Mesh& mesh) {
     std::vector<Aabb> boxes(mesh.triangles.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         for (int corner = 0; corner < 3; ++corner) {
@@ -30,14 +30,16 @@ void appendMesh(MeshTables& tables, const Mesh& mesh) {
                     "use instances or coarser meshes");
     }
     relocate(bvh, firstNode, firstTriangle);
-    tables.roots.push_back(firstNode);
+    tables.roots[number] = firstNode;
     tables.nodes.insert(tables.nodes.end(), bvh.texels.begin(), bvh.texels.end());
     tables.fileOrder.insert(tables.fileOrder.end(), bvh.order.begin(), bvh.order.end());
     for (const std::uint32_t triangle : bvh.order) {
         for (int corner = 0; corner < 3; ++corner) {
             const std::uint32_t vertex = mesh.triangles[triangle][corner];
             tables.triangles.emplace_back(mesh.positions[vertex], 0.0F);
-            tables.normals.push_back(mesh.normals.empty() ? vec3(0) : mesh.normals[vertex]);
+            if (!mesh.normals.empty()) {
+                tables.normals.push_back(mesh.normals[vertex]);
+            }
         }
     }
 }
@@ -46,8 +48,14 @@ void appendMesh(MeshTables& tables, const Mesh& mesh) {
 
 MeshTables buildMeshTables(const std::vector<Mesh>& meshes) {
     MeshTables tables;
-    for (const Mesh& mesh : meshes) {
-        appendMesh(tables, mesh);
+    tables.roots.resize(meshes.size());
+    for (const bool smooth : {true, false}) {
+        for (std::size_t i = 0; i < meshes.size(); ++i) {
+            if (meshes[i].normals.empty() != smooth) {
+                tables.order.push_back(static_cast<std::uint32_t>(i));
+                appendMesh(tables, i, meshes[i]);
+            }
+        }
     }
     return tables;
 }

@@ -13,7 +13,8 @@ namespace hyalite::render {
 struct MeshTables {
     std::vector<glm::uvec4> nodes;
     std::vector<glm::vec4> triangles;
-    std::vector<glm::vec3> normals;
+    std::vector<glm::vec3> normals;       // of the meshes that have some, whose triangles come first
+    std::vector<std::uint32_t> order;     // the meshes, as their triangles stand
     std::vector<std::uint32_t> roots;     // by mesh: node
     std::vector<std::uint32_t> fileOrder; // by triangle of the table: its number in the mesh file
 };

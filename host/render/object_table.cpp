@@ -193,7 +193,9 @@ private:
         return record(shape);
     }
     [[nodiscard]] ObjectRecord make(const MeshInstance& instance) const {
-        ObjectRecord r{.type = shared::kShapeMesh, .root = meshRoots_[instance.mesh]};
+        const bool isSmooth = !scene_.meshes[instance.mesh].normals.empty();
+        ObjectRecord r{.type = shared::kShapeMesh | (isSmooth ? shared::kShapeSmooth : 0),
+                       .root = meshRoots_[instance.mesh]};
         const dmat4 toObject = glm::inverse(instance.objectToWorld);
         for (int i = 0; i < 3; ++i) {
             r.texels[static_cast<std::size_t>(i)] = row(toObject, i);

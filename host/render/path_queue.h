@@ -30,6 +30,9 @@ struct CameraQueue : RayQueue {
     CameraQueue(const gpu::Context& context, std::uint32_t capacity, std::uint32_t children);
 };
 
+// So many photons fill both cores of a small machine and every GPU; the rest of a pass waits, and takes no room.
+inline constexpr std::uint32_t kPhotonsInFlight = std::uint32_t{1} << 20U;
+
 struct PhotonQueue : RayQueue {
     gpu::Array<shared::PhotonPath> paths;
     gpu::Array<shared::PhotonPath> nextPaths;

@@ -42,8 +42,8 @@ void PhotonGrid::reserve(Device& device, std::uint32_t slots) {
 
 void PhotonGrid::build(Device& device, const gpu::Array<shared::Photon>& photons, std::uint32_t slots, float radius) {
     listByCell(device, photons, slots, radius);
-    if (sorted_.count() < order_.count()) {
-        sorted_ = {device.context, order_.count(), "sorted photons"};
+    if (sorted_.count() < photonCount_) {
+        sorted_ = {device.context, photonCount_ + photonCount_ / 4, "sorted photons"}; // passes differ a little
         device.tables.set(TABLE_PHOTONS, sorted_.buffer(), gpu::TexelFormat::Float4);
     }
     base_ = 0;

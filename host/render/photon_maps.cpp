@@ -44,7 +44,7 @@ void PhotonMaps::trace() {
 }
 
 std::vector<shared::Photon> PhotonMaps::traceGlobal() {
-    PhotonPaths paths(device_, scene_, deviceScene_, scene_.render.photons);
+    PhotonPaths paths(device_, scene_, deviceScene_, std::min(kPhotonsInFlight, scene_.render.photons));
     const std::uint32_t slots =
         paths.trace({.sequence = shared::photonSequence(renderSeed(scene_.render), shared::kGlobalPhotons, 0),
                      .count = scene_.render.photons,
@@ -60,7 +60,7 @@ std::vector<shared::Photon> PhotonMaps::traceCaustics() {
     if (settings_.causticPhotons == 0 || !hasTargets()) {
         return {};
     }
-    PhotonPaths paths(device_, scene_, deviceScene_, settings_.causticPhotons);
+    PhotonPaths paths(device_, scene_, deviceScene_, std::min(kPhotonsInFlight, settings_.causticPhotons));
     const std::uint32_t slots =
         paths.trace({.sequence = shared::photonSequence(renderSeed(scene_.render), shared::kCausticPhotons, 0),
                      .count = settings_.causticPhotons,
@@ -75,7 +75,7 @@ std::vector<shared::Photon> PhotonMaps::castShadows() {
     if (settings_.shadowPhotons == 0) {
         return {};
     }
-    ShadowPhotonPaths paths(device_, scene_, deviceScene_, scene_.render.photons);
+    ShadowPhotonPaths paths(device_, scene_, deviceScene_, std::min(kPhotonsInFlight, scene_.render.photons));
     const std::uint32_t slots = paths.cast(scene_.render.photons);
     device_.commands.finish();
     raysTraced_ += paths.raysTraced();

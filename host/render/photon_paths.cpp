@@ -6,23 +6,43 @@
 
 namespace hyalite::render {
 
-PhotonPaths::PhotonPaths(Device& device, const Scene& scene, const DeviceScene& deviceScene, std::uint32_t capacity)
+PhotonPaths::PhotonPaths(Device& device, const Scene& scene, const DeviceScene& deviceScene, std::uint32_t atOnce)
     : device_(device), scene_(scene), deviceScene_(deviceScene), emitPhotons_(device.kernel("emit_photons")),
       emitCausticPhotons_(device.kernel("emit_caustic_photons")),
       traceClosest_(device.kernel("trace_closest", deviceScene.specialization)),
       scatterPhoton_(device.kernel("scatter_photon", deviceScene.specialization)), compaction_(device),
-      queue_(device.context, capacity) {}
+      queue_(device.context, atOnce) {}
 
 std::uint32_t PhotonPaths::trace(const PhotonPass& pass) {
+    if (pass.account) {
+        openAccount(pass);
+    }
+    std::uint32_t slots = 0;
+    for (std::uint32_t first = 0; first < pass.count; first += queue_.capacity()) {
+        if (first > 0) { // room for all that is to be expected: to grow later would keep old and new side by side
+            const double expected = 1.03 * double(slots) / double(first) * double(pass.count);
+            reservePhotonSlots(device_, photons_, static_cast<std::uint32_t>(std::min(expected, 4.0e9)));
+        }
+        slots += tracePiece(pass, first, std::min(queue_.capacity(), pass.count - first), slots);
+    }
+    if (pass.account) {
+        closeAccount();
+    }
+    return slots;
+}
+
+std::uint32_t PhotonPaths::tracePiece(const PhotonPass& pass, std::uint32_t first, std::uint32_t count,
+                                      std::uint32_t firstSlot) {
     gpu::Commands& commands = device_.commands;
     PhotonQueue& queue = queue_;
     const std::uint32_t maxDepth = scene_.render.maxDepth;
     // Where direct photons are not stored, nothing is after the first segment: its slots are used again
     const std::uint32_t firstStored = (pass.kinds & 1U << shared::kPhotonDirect) != 0 ? 1 : 2;
-    std::uint32_t slots = 0;
-    emit(pass);
+    std::uint32_t slots = firstSlot;
+    queue.count = count;
+    emit(pass, first);
     if (pass.account) {
-        openAccount();
+        enterEmitted(first);
     }
     for (std::uint32_t depth = 1; queue.count > 0 && depth < maxDepth; ++depth) {
         reservePhotonSlots(device_, photons_, slots + queue.count);
@@ -39,42 +59,42 @@ std::uint32_t PhotonPaths::trace(const PhotonPass& pass) {
         slots += depth >= firstStored ? queue.count : 0;
         compaction_.run(device_, queue, queue.count);
     }
-    if (pass.account) {
-        closeAccount();
-    }
-    return slots;
+    return slots - firstSlot;
 }
 
-void PhotonPaths::emit(const PhotonPass& pass) {
-    queue_.count = pass.count;
+void PhotonPaths::emit(const PhotonPass& pass, std::uint32_t first) {
+    const std::uint32_t count = queue_.count;
     if (pass.aimed) {
         device_.commands.run(emitCausticPhotons_,
-                             shared::EmitCausticPhotonsArguments{deviceScene_.lights, deviceScene_.targets, queue_.rays,
-                                                                 queue_.paths, queue_.count, deviceScene_.lightCount,
-                                                                 deviceScene_.targetCount, pass.sequence},
-                             queue_.count);
+                             shared::EmitCausticPhotonsArguments{
+                                 deviceScene_.lights, deviceScene_.targets, queue_.rays, queue_.paths, first, count,
+                                 pass.count, deviceScene_.lightCount, deviceScene_.targetCount, pass.sequence},
+                             count);
         return;
     }
     device_.commands.run(emitPhotons_,
-                         shared::EmitPhotonsArguments{deviceScene_.lights, queue_.rays, queue_.paths, queue_.count,
-                                                      deviceScene_.lightCount, pass.sequence},
-                         queue_.count);
+                         shared::EmitPhotonsArguments{deviceScene_.lights, queue_.rays, queue_.paths, first, count,
+                                                      pass.count, deviceScene_.lightCount, pass.sequence},
+                         count);
 }
 
-void PhotonPaths::openAccount() {
+void PhotonPaths::openAccount(const PhotonPass& pass) {
     device_.commands.finish();
-    const std::uint32_t count = queue_.count;
     balance_.assign(deviceScene_.lightCount, {});
-    lightOf_.resize(count);
-    for (std::uint32_t i = 0; i < count; ++i) {
+    lightOf_.resize(pass.count);
+    if (fates_.count() < pass.count) {
+        fates_ = {device_.context, pass.count, "photon fates"};
+    }
+    std::ranges::fill(fates_.host().first(pass.count), shared::PhotonFate{});
+}
+
+void PhotonPaths::enterEmitted(std::uint32_t first) {
+    device_.commands.finish();
+    for (std::uint32_t i = 0; i < queue_.count; ++i) {
         const shared::PhotonPath& path = queue_.paths.host()[i];
-        lightOf_[i] = path.light;
+        lightOf_[first + i] = path.light;
         balance_.at(path.light).emitted += path.power;
     }
-    if (fates_.count() < count) {
-        fates_ = {device_.context, count, "photon fates"};
-    }
-    std::ranges::fill(fates_.host().first(count), shared::PhotonFate{});
 }
 
 void PhotonPaths::closeAccount() {

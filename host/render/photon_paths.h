@@ -10,7 +10,7 @@ namespace hyalite::render {
 // The photons of one purpose and one pass.
 struct PhotonPass {
     std::uint32_t sequence = 0; // see shared::photonSequence
-    std::uint32_t count = 0;    // emitted, at most the capacity
+    std::uint32_t count = 0;    // emitted
     std::uint32_t kinds = 0;    // bit kPhoton… is set for every kind that is stored; paths that can store no more end
     bool aimed = false;         // emit only towards what is specular
     bool account = false;       // keep account of what becomes of each photon's flux
@@ -18,8 +18,9 @@ struct PhotonPass {
 
 class PhotonPaths {
 public:
-    // References are kept. `capacity`: photons emitted at most.
-    PhotonPaths(Device& device, const Scene& scene, const DeviceScene& deviceScene, std::uint32_t capacity);
+    // References are kept. `atOnce`: photons in flight at most; a pass of more is traced in pieces, one after the
+    // other.
+    PhotonPaths(Device& device, const Scene& scene, const DeviceScene& deviceScene, std::uint32_t atOnce);
 
     // Traces a pass. Its photons stand in the first `slots` (the result) of photons(), in a fixed order and with gaps
     // where surface = kNone.
@@ -32,8 +33,11 @@ public:
     [[nodiscard]] const std::vector<LightBalance>& balance() const { return balance_; }
 
 private:
-    void emit(const PhotonPass& pass);
-    void openAccount();
+    // Of the photons from `first` on. The result: the slots that they fill, from `firstSlot` on.
+    std::uint32_t tracePiece(const PhotonPass& pass, std::uint32_t first, std::uint32_t count, std::uint32_t firstSlot);
+    void emit(const PhotonPass& pass, std::uint32_t first);
+    void openAccount(const PhotonPass& pass);
+    void enterEmitted(std::uint32_t first);
     void closeAccount();
 
     Device& device_;

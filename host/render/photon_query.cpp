@@ -38,6 +38,8 @@ std::uint32_t filterNumber(PhotonFilter filter) {
         return shared::kFilterCone;
     case PhotonFilter::Gaussian:
         return shared::kFilterGaussian;
+    case PhotonFilter::Custom:
+        return shared::kFilterCustom;
     case PhotonFilter::None:
         break;
     }

@@ -28,7 +28,8 @@ double searchRadius(double initial, double alpha, std::uint32_t pass) {
 Ppm::Ppm(Device& device, const Scene& scene, const DeviceScene& deviceScene, const Film& film)
     : device_(device), scene_(scene), film_(film), cameraPaths_(device, scene, deviceScene, film.pixelCount()),
       lightSampler_(device, deviceScene, film.pixelCount()),
-      photonPaths_(device, scene, deviceScene, std::max(scene.render.photons, scene.render.photonMap.causticPhotons)),
+      photonPaths_(device, scene, deviceScene,
+                   std::min(kPhotonsInFlight, std::max(scene.render.photons, scene.render.photonMap.causticPhotons))),
       grid_(device), gatherRadiance_(device.kernel("gather_radiance")), photons_(photonsOf(scene, deviceScene)),
       visiblePoints_(device.context, film.pixelCount(), "visible points"),
       emitted_(device.context, film.pixelCount(), "emitted light"),

@@ -1,6 +1,7 @@
 #include "render/renderer.h"
 
 #include "base/stopwatch.h"
+#include "render/custom_code.h"
 #include "render/path.h"
 #include "render/photon_mapping.h"
 #include "render/ppm.h"
@@ -10,8 +11,6 @@
 #include <bit>
 
 namespace hyalite::render {
-
-namespace {
 
 std::vector<LayerKind> layersOf(const Scene& scene) {
     switch (scene.render.integrator) {
@@ -41,6 +40,8 @@ std::unique_ptr<PassIntegrator> makeIntegrator(Device& device, const Scene& scen
     }
     return nullptr;
 }
+
+namespace {
 
 void finishPicture(Device& device, const Film& film, RenderResult& result) {
     result.image = film.resolve(device);
@@ -117,7 +118,9 @@ bool reachesTarget(const Progress& progress, double targetError) {
 RenderResult render(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const Scene& scene,
                     const RenderOptions& options) {
     const Stopwatch setup;
-    Device device(context, compiler, options.profile);
+    gpu::ShaderCompiler withCustomCode(compiler);
+    withCustomCode.replace(customCode(scene));
+    Device device(context, withCustomCode, options.profile);
     const DeviceScene deviceScene = uploadScene(context, device.tables, scene);
     Film film(device, scene.camera.resolution, layersOf(scene));
     const auto integrator = makeIntegrator(device, scene, deviceScene, film, options);
@@ -129,9 +132,10 @@ RenderResult render(const gpu::Context& context, const gpu::ShaderCompiler& comp
     RenderResult result;
     result.setupSeconds = setup.seconds();
     const bool kept = !options.checkpoint.file.empty();
-    Checkpointing checkpointing(options.checkpoint, kept ? identify(scene, deviceScene, compiler) : RenderIdentity());
+    Checkpointing checkpointing(options.checkpoint, kept ? identify(scene, deviceScene, withCustomCode) : RenderIdentity());
     checkpointing.resume(device, film);
     renderPasses(device, scene, options, film, *integrator, checkpointing, result);
+    result.memory = context.memory();
     result.counts = integrator->counts();
     result.counts += checkpointing.countsBefore();
     result.notes = integrator->notes();

@@ -11,11 +11,13 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace hyalite::render {
 
 struct Device;
+class Film;
 
 struct Progress {
     std::uint32_t passes = 0;            // done, with those resumed from
@@ -51,6 +53,7 @@ struct RenderResult {
     std::optional<double> errorEstimate;    // of the picture, see docs/metrics.md; none of a single pass
     Counts counts;
     RenderNotes notes;
+    std::map<std::string, std::size_t> memory;    // bytes of the device's buffers after the last pass, by name
     std::map<std::string, gpu::StageTime> stages; // with profile
 };
 
@@ -63,6 +66,11 @@ struct RenderResult {
 // The picture and its error, in the same bits as if this device had rendered all passes of the film.
 [[nodiscard]] RenderResult resolve(const gpu::Context& context, const gpu::ShaderCompiler& compiler,
                                    const FilmState& film);
+// The layers of the film that the scene's integrator fills, and that integrator; references are kept.
+[[nodiscard]] std::vector<LayerKind> layersOf(const Scene& scene);
+[[nodiscard]] std::unique_ptr<PassIntegrator> makeIntegrator(Device& device, const Scene& scene,
+                                                             const DeviceScene& deviceScene, const Film& film,
+                                                             const RenderOptions& options);
 
 // Whether a pass that takes as long as the passes before it on average would end within `timeLimit` [s]; 0: always.
 [[nodiscard]] bool timeForAnotherPass(const Progress& progress, double timeLimit);

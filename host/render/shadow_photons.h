@@ -9,8 +9,8 @@ namespace hyalite::render {
 
 class ShadowPhotonPaths {
 public:
-    // References are kept. `capacity`: photons emitted at most.
-    ShadowPhotonPaths(Device& device, const Scene& scene, const DeviceScene& deviceScene, std::uint32_t capacity);
+    // References are kept. `atOnce`: photons in flight at most; more are cast in pieces, one after the other.
+    ShadowPhotonPaths(Device& device, const Scene& scene, const DeviceScene& deviceScene, std::uint32_t atOnce);
 
     // Casts `count` photons of all lights; on every diffuse surface in its way each leaves a direct photon first, then
     // shadow photons. They stand in the first `slots` (the result) of photons(), with gaps where surface = kNone.
@@ -20,6 +20,9 @@ public:
     [[nodiscard]] std::uint64_t raysTraced() const { return raysTraced_; }
 
 private:
+    // Of the photons in the queue, numbered from `first` on; their slots begin at `slots`. The result: where they end.
+    std::uint32_t castPiece(std::uint32_t first, std::uint32_t ofPass, std::uint32_t slots);
+
     Device& device_;
     const Scene& scene_;
     const DeviceScene& deviceScene_;

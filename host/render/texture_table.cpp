@@ -28,12 +28,18 @@ bool hasTextures(const Scene& scene) {
 
 std::vector<vec4> textureTexels(const std::vector<Texture>& textures) {
     std::vector<vec4> table(shared::kTexelsPerTexture * textures.size(), vec4(0));
+    std::size_t customNumber = 0;
     for (std::size_t i = 0; i < textures.size(); ++i) {
         vec4* record = &table[shared::kTexelsPerTexture * i];
         if (const auto* checker = std::get_if<Checker>(&textures[i].model)) {
             record[0] = vec4(bits(checker->inWorld ? shared::kTextureCheckerWorld : shared::kTextureCheckerUv),
                              vec3(checker->colors[0]));
             record[1] = vec4(static_cast<float>(1 / checker->size), vec3(checker->colors[1]));
+            continue;
+        }
+        if (const auto* custom = std::get_if<CustomTexture>(&textures[i].model)) {
+            record[0] = vec4(bits(shared::kTextureCustom), bits(customNumber++), vec2(0));
+            record[1] = vec4(custom->parameters);
             continue;
         }
         const Image& image = *std::get<ImageTexture>(textures[i].model).image;
@@ -46,13 +52,14 @@ std::vector<vec4> textureTexels(const std::vector<Texture>& textures) {
     return table;
 }
 
-std::vector<vec4> coordinateTexels(const std::vector<Mesh>& meshes, const std::vector<std::uint32_t>& fileOrder) {
+std::vector<vec4> coordinateTexels(const std::vector<Mesh>& meshes, const MeshTables& tables) {
     std::vector<vec4> table;
-    table.reserve(shared::kTexelsPerCoordinates * fileOrder.size());
+    table.reserve(shared::kTexelsPerCoordinates * tables.fileOrder.size());
     std::size_t next = 0;
-    for (const Mesh& mesh : meshes) {
+    for (const std::uint32_t number : tables.order) {
+        const Mesh& mesh = meshes[number];
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-            const glm::uvec3& corners = mesh.triangles[fileOrder[next++]];
+            const glm::uvec3& corners = mesh.triangles[tables.fileOrder[next++]];
             const auto uv = [&](int corner) { return mesh.uvs.empty() ? vec2(0) : mesh.uvs[corners[corner]]; };
             table.emplace_back(uv(0), uv(1));
             table.emplace_back(uv(2), vec2(0));

@@ -1,6 +1,7 @@
 // The scene's textures as the kernels read them; see shaders/shared/scene_records.h for the layouts.
 #pragma once
 
+#include "render/mesh_tables.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -16,7 +17,6 @@ namespace hyalite::render {
 [[nodiscard]] std::vector<glm::vec4> textureTexels(const std::vector<Texture>& textures);
 
 // The table of texture coordinates, triangle by triangle in the order of MeshTables; 0 in meshes that have none.
-[[nodiscard]] std::vector<glm::vec4> coordinateTexels(const std::vector<Mesh>& meshes,
-                                                      const std::vector<std::uint32_t>& fileOrder);
+[[nodiscard]] std::vector<glm::vec4> coordinateTexels(const std::vector<Mesh>& meshes, const MeshTables& tables);
 
 } // namespace hyalite::render

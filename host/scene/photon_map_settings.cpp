@@ -1,5 +1,6 @@
 #include "scene/photon_map_settings.h"
 
+#include "scene/custom_code.h"
 #include "scene/scene_limits.h"
 #include "shaders/shared/limits.h"
 
@@ -19,10 +20,11 @@ constexpr std::array<Choice<PhotonStructure>, 2> kStructures{{
     {"kdtree", PhotonStructure::Tree},
     {"grid", PhotonStructure::Grid},
 }};
-constexpr std::array<Choice<PhotonFilter>, 3> kFilters{{
+constexpr std::array<Choice<PhotonFilter>, 4> kFilters{{
     {"none", PhotonFilter::None},
     {"cone", PhotonFilter::Cone},
     {"gaussian", PhotonFilter::Gaussian},
+    {"custom", PhotonFilter::Custom},
 }};
 constexpr std::array<Choice<PhotonView>, 5> kViews{{
     {"picture", PhotonView::Picture},
@@ -56,6 +58,13 @@ void readPhotonMapSettings(Reader& reader, PhotonMapSettings& settings) {
     reader.optional("precomputed_irradiance", settings.precomputedIrradiance);
     reader.optional("shadow_photons", settings.shadowPhotons, kAgreeing);
     optionalChoice(reader, "view", settings.view, kViews);
+    if (const auto file = reader.find("filter_file")) {
+        settings.customFilter = readCustomCode(*file, std::filesystem::path(file->file()).parent_path(), "float");
+    }
+    const bool isCustom = settings.filter == PhotonFilter::Custom || settings.causticFilter == PhotonFilter::Custom;
+    if (isCustom && settings.customFilter == nullptr) {
+        reader.map().fail("a custom filter needs its code", "name it: filter_file: falloff.glsl");
+    }
     if (settings.causticRadius != 0 && settings.causticRadius < kSmallestLength) {
         reader.require("caustic_radius")
             .fail("'caustic_radius' must be 0 or at least " + numberText(kSmallestLength) + " m",

@@ -1,6 +1,7 @@
 // See read_materials.h. A new material is a reader here and a row of kMaterials.
 #include "scene/read_materials.h"
 
+#include "scene/custom_code.h"
 #include "scene/read_textures.h"
 #include "scene/scene_limits.h"
 
@@ -77,14 +78,25 @@ MaterialModel readMetallicRoughness(Reader& reader, const Scene& scene, Material
     return model;
 }
 
+MaterialModel readCustomReflectance(Reader& reader, const Scene& /*scene*/, Material& /*has no textures*/) {
+    CustomReflectance custom;
+    const Value file = reader.require("file");
+    readCodeParameters(reader, custom.parameters);
+    reader.optional("roughness", custom.roughness, kFraction);
+    reader.finish();
+    custom.code = readCustomCode(file, std::filesystem::path(file.file()).parent_path(), "vec3");
+    return custom;
+}
+
 // Sets the material's textures, too.
 using ReadModel = MaterialModel (*)(Reader&, const Scene&, Material&);
-constexpr std::array<Choice<ReadModel>, 5> kMaterials{{
+constexpr std::array<Choice<ReadModel>, 6> kMaterials{{
     {"diffuse", readDiffuse},
     {"mirror", readMirror},
     {"dielectric", readDielectric},
     {"conductor", readConductor},
     {"metallic_roughness", readMetallicRoughness},
+    {"custom", readCustomReflectance},
 }};
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include "image/exr.h"
 #include "image/jpeg.h"
+#include "scene/custom_code.h"
 #include "scene/input_file.h"
 #include "scene/scene_limits.h"
 #include "scene/spelling.h"
@@ -44,10 +45,20 @@ TextureModel readImageTexture(Reader& reader, const std::filesystem::path& folde
     return decodeTexture(std::as_bytes(std::span(bytes)), path.string(), encoding);
 }
 
+TextureModel readCustomTexture(Reader& reader, const std::filesystem::path& folder) {
+    const Value file = reader.require("file");
+    CustomTexture texture;
+    readCodeParameters(reader, texture.parameters);
+    reader.finish();
+    texture.code = readCustomCode(file, folder, "vec3");
+    return texture;
+}
+
 using ReadModel = TextureModel (*)(Reader&, const std::filesystem::path&);
-constexpr std::array<Choice<ReadModel>, 2> kTextures{{
+constexpr std::array<Choice<ReadModel>, 3> kTextures{{
     {"checker", readChecker},
     {"image", readImageTexture},
+    {"custom", readCustomTexture},
 }};
 
 std::size_t findTexture(const Value& name, const Scene& scene) {
@@ -62,10 +73,10 @@ std::size_t findTexture(const Value& name, const Scene& scene) {
     failUnknownWord(name, "texture", known);
 }
 
-// A surface needs no coordinates for a checker in the world.
+// A surface needs no coordinates for a checker in the world, nor for code, which has the place in the world too.
 bool needsCoordinates(const Texture& texture) {
     const auto* checker = std::get_if<Checker>(&texture.model);
-    return checker == nullptr || !checker->inWorld;
+    return checker != nullptr ? !checker->inWorld : std::holds_alternative<ImageTexture>(texture.model);
 }
 
 // The leaves of a csg answer for themselves.

@@ -32,8 +32,15 @@ enum class RandomNumbers { Sobol, Independent };
 
 // Integrator photonmap: two passes, photons from the lights and rays from the eye [Jensen01].
 enum class PhotonStructure { Tree, Grid };
-enum class PhotonFilter { None, Cone, Gaussian };
+enum class PhotonFilter { None, Cone, Gaussian, Custom };
 enum class PhotonView { Picture, GlobalMap, CausticMap, Photons, Radius };
+
+// Code in GLSL that a scene brings along.
+struct CustomCode {
+    std::string function; // its name
+    std::string file;     // where it stands
+    std::string text;
+};
 
 struct PhotonMapSettings {
     std::uint32_t causticPhotons = 100000; // aimed at mirrors and glass, besides RenderSettings::photons; 0: none
@@ -44,8 +51,9 @@ struct PhotonMapSettings {
     double causticRadius = 0;          // they lie no farther than this [m]; 0: 1/25 of the radius of the scene's sphere
     PhotonFilter filter = PhotonFilter::None;
     PhotonFilter causticFilter = PhotonFilter::Cone;
-    double coneConstant = 1.1;         // k of the cone filter, >= 1
-    bool differentialChecking = false; // stop an estimate from the caustic map where it would blur an edge
+    double coneConstant = 1.1;                      // k of the cone filter, >= 1
+    std::shared_ptr<const CustomCode> customFilter; // where a filter is Custom: float function(float u)
+    bool differentialChecking = false;              // stop an estimate from the caustic map where it would blur an edge
     std::uint32_t gatherRays = 1;      // of final gathering, per sample; 0: indirect light straight from the global map
     bool precomputedIrradiance = true; // final gathering looks up irradiance computed at the photons beforehand
     std::uint32_t shadowPhotons = 0;   // so many that agree replace a shadow ray; 0: all shadow rays are traced
@@ -90,7 +98,13 @@ struct MetallicRoughness {     // glTF's model: a metal, a diffuse base under a 
     double metallic = 0;       // [0, 1]
     double roughness = 0.5;    // [0, 1]
 };
-using MaterialModel = std::variant<Diffuse, Mirror, Dielectric, Conductor, MetallicRoughness>;
+// A surface that reflects, smooth or by microfacets, the share that vec3 function(float cosine, vec4 parameters) gives.
+struct CustomReflectance {
+    std::shared_ptr<const CustomCode> code;
+    glm::dvec4 parameters{0};
+    double roughness = 0; // [0, 1]
+};
+using MaterialModel = std::variant<Diffuse, Mirror, Dielectric, Conductor, MetallicRoughness, CustomReflectance>;
 
 // Two colours in cubes of the world, or in squares of the surface's coordinates (u, v), by turns.
 struct Checker {
@@ -102,7 +116,12 @@ struct Checker {
 struct ImageTexture {
     std::shared_ptr<const Image> image; // [0, 1]
 };
-using TextureModel = std::variant<Checker, ImageTexture>;
+// vec3 function(vec3 position, vec2 uv, vec4 parameters), in [0, 1].
+struct CustomTexture {
+    std::shared_ptr<const CustomCode> code;
+    glm::dvec4 parameters{0};
+};
+using TextureModel = std::variant<Checker, ImageTexture, CustomTexture>;
 
 struct Texture {
     std::string name;

@@ -26,8 +26,9 @@ inline constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 28U;
 // Photons of one pass: their numbers are kept in 24 bits.
 inline constexpr std::uint32_t kMostPhotons = 1U << 24U;
 
-// Bytes of a scene file, of a texture's and of a mesh file, read into memory as a whole.
+// Bytes of a scene file, of its GLSL, of a texture's and of a mesh file, read into memory as a whole.
 inline constexpr std::size_t kLargestSceneFile = std::size_t{64} << 20U;
+inline constexpr std::size_t kLargestCodeFile = std::size_t{1} << 20U;
 inline constexpr std::size_t kLargestTextureFile = std::size_t{1} << 30U;
 inline constexpr std::size_t kLargestMeshFile = std::size_t{2} << 30U;
 

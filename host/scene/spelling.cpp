@@ -64,7 +64,7 @@ std::string spellingHint(std::string_view word, std::span<const std::string> kno
         }
     }
 
-    constexpr std::size_t kMostListed = 24;
+    constexpr std::size_t kMostListed = 32;
     if (known.empty() || known.size() > kMostListed) {
         return {};
     }

@@ -10,10 +10,11 @@
 layout(push_constant, scalar) uniform Push { EmitCausticPhotonsArguments args; };
 
 void main() {
-    uint photon = threadIndex();
-    if (photon >= args.count) {
+    uint i = threadIndex();
+    if (i >= args.count) {
         return;
     }
+    uint photon = args.first + i;
     Sampler s = photonSampler(args.sequence, photon);
     vec2 choice = sampleUnit(s, kPhotonLight);
     uint index = pickLight(args.lights, args.lightCount, choice.x);
@@ -22,8 +23,8 @@ void main() {
     vec2 uDirection = sampleUnit(s, kPhotonDirection);
     AimedRay ray = aimRay(light, args.targets, args.targetCount, emitFrom(light, uOrigin, uDirection), choice.y, uOrigin,
                           uDirection);
-    vec3 power = ray.power / (light.pmf * float(args.count));
+    vec3 power = ray.power / (light.pmf * float(args.ofPass));
     bool dark = maxComponent(power) <= 0.0; // the light does not shine that way: a ray of no length
-    args.rays.at[photon] = Ray(ray.origin, dark ? 0.0 : kInfinity, ray.direction, 0u);
-    args.paths.at[photon] = PhotonPath(power, photon, index, kPhotonDirect, kNone);
+    args.rays.at[i] = Ray(ray.origin, dark ? 0.0 : kInfinity, ray.direction, 0u);
+    args.paths.at[i] = PhotonPath(power, photon, index, kPhotonDirect, kNone);
 }

@@ -9,15 +9,16 @@
 layout(push_constant, scalar) uniform Push { EmitPhotonsArguments args; };
 
 void main() {
-    uint photon = threadIndex();
-    if (photon >= args.count) {
+    uint i = threadIndex();
+    if (i >= args.count) {
         return;
     }
+    uint photon = args.first + i;
     Sampler s = photonSampler(args.sequence, photon);
     uint index = pickLight(args.lights, args.lightCount, sampleUnit(s, kPhotonLight).x);
     LightRecord light = args.lights.at[index];
     LightRay ray = emitFrom(light, sampleUnit(s, kPhotonOrigin), sampleUnit(s, kPhotonDirection));
-    args.rays.at[photon] = Ray(startOf(ray), kInfinity, ray.direction, 0u);
-    vec3 power = ray.power / (light.pmf * float(args.count));
-    args.paths.at[photon] = PhotonPath(power, photon, index, kPhotonDirect, kNone);
+    args.rays.at[i] = Ray(startOf(ray), kInfinity, ray.direction, 0u);
+    vec3 power = ray.power / (light.pmf * float(args.ofPass));
+    args.paths.at[i] = PhotonPath(power, photon, index, kPhotonDirect, kNone);
 }

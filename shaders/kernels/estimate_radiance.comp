@@ -4,6 +4,7 @@
 // weighted by a filter, over the integral of the filter. The disc reaches to the k-th photon, which itself is left out:
 // k - 1 photons in a disc that the k-th ends estimate the density without bias; docs/photon-mapping.md has the proof.
 #include "shared/kernel_arguments.h"
+#include "lib/custom_filter.glsl"
 #include "lib/diffuse.glsl"
 #include "lib/nearest.glsl"
 #include "lib/thread.glsl"
@@ -15,6 +16,9 @@ const float kLeastDisc = 1.0 / 1024.0;
 
 // The Gaussian's slope in [Jensen01]; the factor in front of it there drops out, as its integral is divided by.
 const float kGaussianBeta = 1.953;
+
+// Parts of [0, 1] that a custom filter's mean is summed over.
+const uint kFilterParts = 32u;
 
 // Photons of the smallest disc that is looked at for changes.
 const uint kFirstCheck = 8u;
@@ -54,6 +58,9 @@ float weight(float distance2, float radius2) {
         float end = exponential(-kGaussianBeta);
         return (exponential(-0.5 * kGaussianBeta * u) - end) / (1.0 - end);
     }
+    if (args.filterKind == kFilterCustom) {
+        return customFilter(u);
+    }
     return 1.0;
 }
 
@@ -65,6 +72,13 @@ float meanWeight() {
     if (args.filterKind == kFilterGaussian) {
         float end = exponential(-kGaussianBeta);
         return ((1.0 - exponential(-0.5 * kGaussianBeta)) * 2.0 / kGaussianBeta - end) / (1.0 - end);
+    }
+    if (args.filterKind == kFilterCustom) { // over the disc u is even on [0, 1]: the midpoint rule
+        float sum = 0.0;
+        for (uint i = 0u; i < kFilterParts; ++i) {
+            sum += customFilter((float(i) + 0.5) / float(kFilterParts));
+        }
+        return sum / float(kFilterParts);
     }
     return 1.0;
 }

@@ -11,18 +11,27 @@
 
 layout(push_constant, scalar) uniform Push { GatherRadianceArguments args; };
 
-// Flux of the photon that the coat lets in, if it counts for x, else 0.
-vec3 photonFlux(VisiblePoint x, vec3 normal, CellWalk walk, uint photon) {
+// Bit i is set where photon `first` + i is within the radius; `count` is at most 32.
+uint nearPhotons(vec3 position, uint first, uint count) {
+    uint near = 0u;
+    for (uint i = 0u; i < count; ++i) {
+        vec3 offset = texelFetch(photonTable, int(2u * (first + i))).xyz - position;
+        near |= uint(dot(offset, offset) <= args.radius * args.radius) << i;
+    }
+    return near;
+}
+
+// Flux of the photon that the coat lets in, if it counts for x, else 0. It is within the radius.
+vec3 photonFlux(VisiblePoint x, vec3 normal, uint photon) {
     vec4 place = texelFetch(photonTable, int(2u * photon));
     vec3 offset = place.xyz - x.position;
-    if (dot(offset, offset) > args.radius * args.radius || abs(dot(offset, normal)) > kPlaneDistance * args.radius) {
+    if (abs(dot(offset, normal)) > kPlaneDistance * args.radius) {
         return vec3(0.0);
     }
     vec4 rest = texelFetch(photonTable, int(2u * photon + 1u));
     uint surface = floatBitsToUint(rest.w);
     uint direction = floatBitsToUint(place.w);
-    if (!onSameSide(x.normal, direction, surface) || photonLength(surface) + x.depth > args.maxDepth ||
-        !isOfRow(walk, place.xyz, args.grid)) {
+    if (!onSameSide(x.normal, direction, surface) || photonLength(surface) + x.depth > args.maxDepth) {
         return vec3(0.0);
     }
     if (x.coat == 0.0) {
@@ -42,10 +51,17 @@ void main() {
         vec3 normal = normalize(unpackDirection(x.geometricNormal, 16u));
         CellWalk walk = walkCells(x.position, args.radius, args.grid);
         uint photon = 0u, end = 0u;
-        // Row by row: neighbouring threads keep step, for their discs and so their rows are much the same
+        // Row by row: neighbouring threads keep step, for their discs and so their rows are much the same. One photon
+        // in five is near enough, but not the same one for all threads of a subgroup: each lists its own first.
         while (nextRange(walk, args.grid, args.cellStarts, photon, end)) {
-            for (; photon < end; ++photon) {
-                flux += photonFlux(x, normal, walk, photon);
+            while (photon < end) {
+                uint chunk = min(end - photon, 32u);
+                uint near = nearPhotons(x.position, photon, chunk);
+                while (near != 0u) {
+                    flux += photonFlux(x, normal, photon + findLSB(near));
+                    near &= near - 1u;
+                }
+                photon += chunk;
             }
         }
     }

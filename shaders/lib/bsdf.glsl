@@ -6,6 +6,7 @@
 #define HYALITE_BSDF_GLSL
 #include "shared/limits.h"
 #include "shared/path_records.h"
+#include "lib/custom_reflectance.glsl"
 #include "lib/dielectric.glsl"
 #include "lib/diffuse.glsl"
 #include "lib/ggx.glsl"
@@ -75,6 +76,10 @@ vec3 lobeReflectance(Lobe lobe, float cosine) {
     }
     if (isMaterial(lobe.type, kMaterialMetallicRoughness)) {
         return lobe.color + (1.0 - lobe.color) * schlickPower(cosine);
+    }
+    if (isMaterial(lobe.type, kMaterialCustom)) {
+        vec4 parameters = vec4(lobe.color, lobe.extinction.x);
+        return clamp(customReflectance(uint(lobe.extinction.y), cosine, parameters), 0.0, 1.0);
     }
     return lobe.color;
 }

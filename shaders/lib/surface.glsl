@@ -119,8 +119,8 @@ vec3 placeOnTorus(uint object, vec3 p, inout Surface s) {
     return gradient / slope;
 }
 
-// Also sets the smoothed normal where the mesh has normals.
-vec3 placeOnTriangle(Hit hit, NormalArray normals, InstanceArray instances, inout Surface s) {
+// Also sets the normal, smoothed where the mesh has normals.
+vec3 placeOnTriangle(Hit hit, bool smoothed, NormalArray normals, InstanceArray instances, inout Surface s) {
     vec3 a = triangleCorner(hit.primitive, 0u);
     vec3 b = triangleCorner(hit.primitive, 1u);
     vec3 c = triangleCorner(hit.primitive, 2u);
@@ -135,6 +135,10 @@ vec3 placeOnTriangle(Hit hit, NormalArray normals, InstanceArray instances, inou
     // Normals transform by the inverse transpose: the rows of world-to-object, which the object table holds
     mat3 rows = mat3(objectTexel(hit.object, 0u).xyz, objectTexel(hit.object, 1u).xyz, objectTexel(hit.object, 2u).xyz);
     vec3 outward = normalize(rows * cross(b - a, c - a));
+    s.normal = outward;
+    if (!smoothed) {
+        return outward;
+    }
     vec3 smoothNormal = weights.x * normals.at[3u * hit.primitive] + weights.y * normals.at[3u * hit.primitive + 1u]
                       + weights.z * normals.at[3u * hit.primitive + 2u];
     s.normal = dot(smoothNormal, smoothNormal) > 0.0 ? normalize(rows * smoothNormal) : outward;
@@ -171,7 +175,7 @@ Surface surfaceAt(Ray ray, Hit hit, NormalArray normals, InstanceArray instances
     hit.primitive &= ~kHitEnters;
     vec3 outward;
     if (isShape(header.type, kShapeMesh)) {
-        outward = placeOnTriangle(hit, normals, instances, s);
+        outward = placeOnTriangle(hit, (header.type & kShapeSmooth) != 0u, normals, instances, s);
     } else {
         if (isShape(header.type, kShapeSphere)) {
             outward = placeOnSphere(hit.object, p, s);

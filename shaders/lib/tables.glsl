@@ -1,6 +1,7 @@
 // The hot tables, read as vec4 texels (on lavapipe a texel load is several times faster than four words of a buffer).
 #ifndef HYALITE_TABLES_GLSL
 #define HYALITE_TABLES_GLSL
+#include "lib/debug.glsl"
 #include "shared/scene_records.h"
 
 layout(set = 0, binding = TABLE_NODES) uniform usamplerBuffer nodeTable;

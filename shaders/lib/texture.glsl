@@ -1,6 +1,7 @@
 // Textures: what they are at a point of a surface, and the materials that they colour.
 #ifndef HYALITE_TEXTURE_GLSL
 #define HYALITE_TEXTURE_GLSL
+#include "lib/custom_texture.glsl"
 #include "lib/surface.glsl"
 
 // Cells of a checker in the world begin this share of a cell before the multiples of its edge: a surface that lies in
@@ -36,6 +37,9 @@ vec3 textureAt(uint texture_, Surface s) {
         return imageAt(bits.y, ivec2(bits.zw), s.uv);
     }
     vec4 rest = texelFetch(textureTable, int(kTexelsPerTexture * texture_ + 1u));
+    if (bits.x == kTextureCustom) {
+        return clamp(customTexture(bits.y, s.position, s.uv, rest), 0.0, 1.0);
+    }
     vec3 place = bits.x == kTextureCheckerWorld ? s.position * rest.x + kCheckerShift : vec3(s.uv * rest.x, 0.0);
     vec3 cell = floor(place);
     return isOdd(cell.x + cell.y + cell.z) ? rest.yzw : head.yzw;

@@ -5,7 +5,19 @@
 
 layout(local_size_x = kGroupSize) in;
 
+// A software driver gives each of its threads one block of successive groups and takes nothing back from one that is
+// behind: so their groups are dealt out in turn, and none gets the glass alone. gpu::Kernel sets it; 1 on a GPU.
+layout(constant_id = 15) const uint kWorkers = 1u;
+
+// The group's place in its row.
+uint groupOfRow() {
+    uint block = max(gl_NumWorkGroups.x / kWorkers, 1u);
+    uint group = gl_WorkGroupID.x;
+    bool isDealt = group < gl_NumWorkGroups.x / kWorkers * kWorkers; // the rest stays where it is
+    return isDealt ? group % block * kWorkers + group / block : group;
+}
+
 uint threadIndex() {
-    return (gl_WorkGroupID.y * kGroupsPerRow + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationIndex;
+    return (gl_WorkGroupID.y * kGroupsPerRow + groupOfRow()) * gl_WorkGroupSize.x + gl_LocalInvocationIndex;
 }
 #endif

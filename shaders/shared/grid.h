@@ -10,8 +10,11 @@ struct GridRecord {
     uint bucketMask;       // number of buckets, a power of two, less one
 };
 
+// Two odd numbers far from each other and from 0, and so are their sum and difference, by any power of two from 1024
+// on: rows of cells side by side stand far apart. So a ball no wider than a cell, which reaches into two by two rows
+// and two cells of each, meets every photon once.
 SHARED_FUNCTION uint cellBucket(ivec3 cell, uint bucketMask) {
-    return (hashCombine(uint(cell.y), uint(cell.z)) + uint(cell.x)) & bucketMask;
+    return (uint(cell.x) + 0x9e3779b1u * uint(cell.y) + 0x85ebca77u * uint(cell.z)) & bucketMask;
 }
 
 SHARED_END

@@ -7,6 +7,7 @@
 #include "path_records.h"
 #include "photon_map.h"
 #include "scene_records.h"
+#include "tree_arguments.h"
 SHARED_BEGIN
 
 struct GenerateCameraRaysArguments {
@@ -98,7 +99,9 @@ struct EmitPhotonsArguments {
     LightArray lights;
     RayArray rays;         // out
     PhotonPathArray paths; // out
-    uint count;            // photons emitted in this pass
+    uint first;            // number of the first of these photons in the pass
+    uint count;
+    uint ofPass; // photons of the whole pass, which share the lights' flux
     uint lightCount;
     uint sequence; // seed of the photons' samplers, see photonSampler
 };
@@ -108,7 +111,9 @@ struct EmitCausticPhotonsArguments {
     TargetArray targets;
     RayArray rays;         // out
     PhotonPathArray paths; // out
-    uint count;            // photons emitted
+    uint first;            // as above
+    uint count;
+    uint ofPass;
     uint lightCount;
     uint targetCount;
     uint sequence; // seed of the photons' samplers, see photonSampler
@@ -216,105 +221,6 @@ struct SortPhotonsArguments {
     uint count;         // stored photons
 };
 
-struct MarkPhotonsArguments {
-    PhotonArray photons;
-    UintArray marks; // out: 1 where a photon is stored, else 0
-    uint count;      // photon slots
-};
-
-// A photon on one of the three lists from which a kd-tree is made. Photons are numbered by slot, without the empty
-// ones.
-struct KeyedPhoton {
-    uvec3 key; // its coordinates, as numbers of the same order
-    uint photon;
-};
-DEVICE_ARRAY(KeyedPhoton, KeyedPhotonArray);
-
-struct KeyPhotonsArguments {
-    PhotonArray photons;
-    UintArray numbers;     // exclusive sums of the marks
-    UintArray slots;       // out: slot of each stored photon
-    KeyedPhotonArray keys; // out
-    UintPairArray pairs;   // out: (key, photon) of the stored photons, axis by axis
-    uint count;            // photon slots
-    uint stored;
-};
-
-SHARED_CONSTANT kRadix = 256u;      // values of one digit of the radix sort
-SHARED_CONSTANT kSortChunk = 1024u; // photons that one of its threads counts and moves
-
-struct CountDigitsArguments {
-    UintPairArray pairs;
-    UintArray counts; // out: by axis, digit and chunk
-    uint count;       // three times the chunks of a list
-    uint stored;
-    uint shift; // of the digit in the key
-};
-
-struct SortDigitsArguments {
-    UintPairArray pairs;
-    UintArray places;       // in and out: exclusive sums of the counts
-    UintPairArray sorted;   // out, but for the last round
-    KeyedPhotonArray keys;  // for the last round
-    KeyedPhotonArray lists; // out, in the last round: the photons along each axis
-    uint count;             // three times the chunks of a list
-    uint stored;
-    uint shift;
-    uint last; // 1: the last round
-};
-
-SHARED_CONSTANT kSplitChunk = 256u; // photons of a node's list that one thread parts
-
-struct SplitNodesArguments {
-    KeyedPhotonArray lists;
-    KeyedPhotonArray splits; // out, by node of the level: what splits it
-    UintArray nodes;         // out, in heap order: the photon that splits, and the axis above kSplitAxisShift
-    uint count;              // nodes of the level
-    uint level;
-    uint stored;
-};
-
-struct CountSidesArguments {
-    KeyedPhotonArray lists;
-    KeyedPhotonArray splits;
-    UintArray nodes;
-    UintArray counts; // out, by list, node and chunk: photons for the left child
-    uint count;       // threads: lists times nodes times chunks
-    uint level;
-    uint chunks; // of the largest node's list
-    uint stored;
-};
-
-struct PartSidesArguments {
-    KeyedPhotonArray lists;
-    KeyedPhotonArray splits;
-    UintArray nodes;
-    UintArray sums;          // exclusive sums of the counts
-    KeyedPhotonArray parted; // out
-    uint count;
-    uint level;
-    uint chunks;
-    uint stored;
-};
-
-struct FinishSubtreesArguments {
-    KeyedPhotonArray lists;  // in and out
-    KeyedPhotonArray others; // as much room
-    UintArray nodes;         // out, see SplitNodesArguments
-    uint count;              // subtrees: nodes of the level
-    uint level;
-    uint stored;
-};
-
-struct PlacePhotonsArguments {
-    PhotonArray photons;
-    UintArray nodes;
-    UintArray slots;
-    PhotonArray sorted; // out: the tree
-    UintArray order;    // out: slot of each node's photon
-    uint count;         // stored photons
-};
-
 struct GatherRadianceArguments {
     VisiblePointArray visiblePoints;
     UintArray cellStarts;
@@ -341,6 +247,7 @@ struct NearestPhotonsArguments {
 SHARED_CONSTANT kFilterNone = 0u;
 SHARED_CONSTANT kFilterCone = 1u;
 SHARED_CONSTANT kFilterGaussian = 2u;
+SHARED_CONSTANT kFilterCustom = 3u; // see lib/custom_filter.glsl
 
 struct EstimateRadianceArguments {
     VisiblePointArray visiblePoints;
@@ -449,6 +356,20 @@ struct AccumulateFilmArguments {
     FilmArray film;   // in and out: sums over passes
     UintArray faults; // in and out, for each of kFilmFaults kinds: how many values, the lowest pixel among theirs
     uint count;       // pixels
+};
+
+// What show_surface draws of the first surface that a ray meets.
+SHARED_CONSTANT kShowNormals = 0u; // of shading, each coordinate from [-1, 1] to [0, 1]
+SHARED_CONSTANT kShowDepth = 1u;   // distance along the ray [m]
+
+struct ShowSurfaceArguments {
+    RayArray rays;
+    HitArray hits;
+    NormalArray normals;
+    InstanceArray instances;
+    ColorArray colors; // out, one per ray: black where nothing was hit
+    uint count;
+    uint shown; // kShow…
 };
 
 // A layer's sums over the passes of either camera sequence.

@@ -54,8 +54,8 @@ DEVICE_ARRAY(VisiblePoint, VisiblePointArray);
 // How a surface reflects or refracts, seen from one side, without its diffuse part.
 struct Lobe {
     uint type;       // kMaterial…
-    vec3 color;      // mirror: reflectance; conductor: real part of the index; metallic-roughness: F0
-    vec3 extinction; // conductor: imaginary part of the index
+    vec3 color;      // mirror: reflectance; conductor: real part of the index; metallic-roughness: F0; custom: as in
+    vec3 extinction; // MaterialRecord, both; conductor: imaginary part of the index
     float eta;       // dielectric: index of the side it is seen from over that of the other
     float alpha;     // of the GGX distribution; 0: smooth
 };

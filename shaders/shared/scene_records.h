@@ -23,16 +23,19 @@ SHARED_CONSTANT kMaterialMirror = 2u;            // color = reflectance
 SHARED_CONSTANT kMaterialDielectric = 3u;        // ior = inside over outside
 SHARED_CONSTANT kMaterialConductor = 4u;         // color + i extinction = index
 SHARED_CONSTANT kMaterialMetallicRoughness = 5u; // color = that of the diffuse base and of the metal
+SHARED_CONSTANT kMaterialCustom = 6u;            // see lib/custom_reflectance.glsl
 SHARED_CONSTANT kMaterialRough = 31u;            // no type: says of a scene that some lobe of it is rough
 
 struct MaterialRecord {
     uint type;
-    vec3 color;            // fraction reflected per channel, [0, 1]; conductor: its index of refraction, real part
-    vec3 extinction;       // conductor: imaginary part of the index; dielectric: absorption coefficient [1/m]
-    float ior;             // dielectrics: inside over outside
-    float roughness;       // 0: smooth; else the alpha of the GGX distribution is its square
-    float metallic;        // metallic-roughness: 0 dielectric, 1 metal
-    uint colorTexture;     // multiplies the colour; kNone: none
+    vec3 color;        // fraction reflected per channel, [0, 1]; conductor: its index of refraction, real part;
+                       // custom: three of the parameters
+    vec3 extinction;   // conductor: imaginary part of the index; dielectric: absorption coefficient [1/m]; custom: the
+                       // fourth parameter, number of the function, 0
+    float ior;         // dielectrics: inside over outside
+    float roughness;   // 0: smooth; else the alpha of the GGX distribution is its square
+    float metallic;    // metallic-roughness: 0 dielectric, 1 metal
+    uint colorTexture; // multiplies the colour; kNone: none
     uint roughnessTexture; // metallic-roughness: green times roughness, blue times metallic; kNone: none
 };
 DEVICE_ARRAY(MaterialRecord, MaterialArray);
@@ -117,6 +120,7 @@ SHARED_CONSTANT kShapeTypeMask = 0xffu;
 SHARED_CONSTANT kShapeOpen = 0x100u;     // quadric: its box cuts the surface and does not close it
 SHARED_CONSTANT kShapeReversed = 0x200u; // leaf of CSG: what is inside it is outside the solid
 SHARED_CONSTANT kShapeLeaf = 0x400u;     // leaf of CSG: in place of a light, the header names the object it is part of
+SHARED_CONSTANT kShapeSmooth = 0x800u;   // mesh: it has normals
 
 // What a quadric's Hit.primitive says: the form's own surface, or 1 + 2 * axis + (1 on the high side) for a face of its
 // box.
@@ -142,10 +146,12 @@ SHARED_CONSTANT kTexelsPerCoordinates = 2u;
 // from the top:
 //   image:   0 (kTextureImage, first texel, width, height) as bits
 //   checker: 0 (kTextureChecker… as bits, first colour)  1 (cells per metre or per unit of u and v, second colour)
+//   custom:  0 (kTextureCustom, number among the scene's custom textures, -, -) as bits  1 its parameters
 SHARED_CONSTANT kTexelsPerTexture = 2u;
 SHARED_CONSTANT kTextureImage = 0u;
 SHARED_CONSTANT kTextureCheckerWorld = 1u;
 SHARED_CONSTANT kTextureCheckerUv = 2u;
+SHARED_CONSTANT kTextureCustom = 3u; // see lib/custom_texture.glsl
 
 // What surface evaluation needs of an object beyond its texels; one per object.
 struct InstanceRecord {
@@ -173,7 +179,8 @@ SHARED_CONSTANT kLeafFirstMask = 0x07ffffffu;
 #define TABLE_PHOTONS 3
 #define TABLE_TEXTURES 4
 #define TABLE_TEXTURE_COORDINATES 5
-#define TABLE_COUNT 6
+#define TABLE_DEBUG 6 // see lib/debug.glsl
+#define TABLE_COUNT 7
 
 SHARED_END
 #endif

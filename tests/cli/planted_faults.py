@@ -57,7 +57,7 @@ FAULTS = [
      CAUSTICS + " --integrator path", "bounce_paths"),
     ("shadow ray that does not end at the light", "kernels/trace_shadow.comp", "traceScene(args.rootNode, ray, true)",
      "traceScene(args.rootNode, Ray(ray.origin, kInfinity, ray.direction, ray.from), true)", CAUSTICS, "trace_shadow"),
-    ("each photon carries all flux", "kernels/emit_photons.comp", "light.pmf * float(args.count)", "light.pmf", CAUSTICS,
+    ("each photon carries all flux", "kernels/emit_photons.comp", "light.pmf * float(args.ofPass)", "light.pmf", CAUSTICS,
      "emit_photons"),
     ("sine for cosine in the disc", "lib/sampling.glsl", "p.x * sc.yx", "p.x * sc.xy", CAUSTICS, "emit_photons"),
     ("survivors of roulette not made up for", "kernels/scatter_photon.comp", "next.weight / survival;", "next.weight;",
@@ -69,8 +69,6 @@ FAULTS = [
     # Not more than this: sums that are far off send kernels out of their buffers, and that may end the program
     ("last value of all left out of its chunk", "kernels/sum_chunks.comp", "min(begin + kScanChunk, args.count)",
      "min(begin + kScanChunk, args.count - 1u)", CAUSTICS, "sum_chunks"),
-    ("last of the living lost", "kernels/scan_chunks.comp", "args.sums.at[end] = sum;",
-     "args.sums.at[end] = sum - min(sum, 1u);", CAUSTICS, "scan_chunks"),
     ("compaction that leaves the paths behind", "kernels/compact_camera_paths.comp", "args.nextPaths.at[i]",
      "args.nextPaths.at[to]", CAUSTICS, "compact_camera_paths"),
     ("cells rounded to the nearest", "lib/grid.glsl", "floor(position * grid.inverseCellSize)",

@@ -43,7 +43,7 @@ def default_environment():
     return {**own, "XDG_CACHE_HOME": str(Setup.cache)}
 
 
-ON_THE_DEVICE = {"render", "parity", "inspect", "bench"}
+ON_THE_DEVICE = {"render", "parity", "inspect", "bench", "live"}
 
 
 def command_line(arguments):

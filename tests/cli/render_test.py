@@ -136,7 +136,7 @@ class Reports(RenderTest):
         elapsed = time.monotonic() - start
         keys = (
             "version scene integrator backend device seed sampler resolution passes interrupted error_estimate seconds counts "
-            "search_radius caustic_search_radius warnings outputs"
+            "buffer_bytes search_radius caustic_search_radius warnings outputs"
         )
         self.assertEqual(set(report), set(keys.split()))
         self.assertEqual("hyalite " + report["version"], self.succeed("--version").strip())
@@ -293,7 +293,7 @@ class Information(CliTest):
         self.assertIs(report["usable"], True)
         self.assertEqual([check for check in report["checks"] if check["needed"] and not check["passed"]], [])
         names = {check["name"] for check in report["checks"]}
-        self.assertEqual(names, {"device", "shaders", "self-test", "validation"})
+        self.assertEqual(names, {"device", "shaders", "self-test", "validation", "editor"})
         (chosen,) = [device for device in report["devices"] if device["chosen"]]
         self.assertEqual(chosen["missing"], [])
         text = self.succeed("doctor")

@@ -4,12 +4,12 @@ import posixpath
 import re
 
 RULE = (
-    "base <- image <- scene <- geometry <- {gpu, reference} <- render <- {parity, bench} <- cli; Vulkan only under host/gpu; "
+    "base <- image <- scene <- geometry <- {gpu, reference} <- render <- {parity, bench} <- live <- cli; Vulkan only under host/gpu; "
     "of shaders/ the reference takes only shared/{random,limits,language}.h"
 )
 
-RANK = {"base": 0, "image": 1, "scene": 2, "geometry": 3, "gpu": 4, "reference": 4, "render": 5, "parity": 6, "bench": 6, "cli": 7}
-MAIN = 8  # host/main.cpp
+RANK = {"base": 0, "image": 1, "scene": 2, "geometry": 3, "gpu": 4, "reference": 4, "render": 5, "parity": 6, "bench": 6, "live": 7, "cli": 8}
+MAIN = 9  # host/main.cpp
 REFERENCE_MAY_TAKE = {f"shaders/shared/{name}.h" for name in ("random", "limits", "language")}
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
 

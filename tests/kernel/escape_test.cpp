@@ -1,6 +1,7 @@
 // Rays within a closed solid of mirrors stay there: no escape in ten reflections of each.
 #include "kernel/kernel_support.h"
 #include "support/random_shapes.h"
+#include "support/thorough.h"
 
 namespace hyalite::testing {
 
@@ -118,29 +119,30 @@ Scene drilledCube() {
 
 TEST_CASE("no ray escapes from inside a sphere, quadric or torus", "[escape]") {
     Random random;
-    checkNoEscape("sphere", mirrored(Sphere{{0.3, -0.2, 0.1}, 1.1}), kFewer);
+    checkNoEscape("sphere", mirrored(Sphere{{0.3, -0.2, 0.1}, 1.1}), manyRays(kFewer));
     for (const NamedForm& named : namedForms()) {
-        checkNoEscape(std::string(named.name), mirrored(quadric(named, randomPlacement(random, 0.7, 0.2))), kFewer);
+        checkNoEscape(std::string(named.name), mirrored(quadric(named, randomPlacement(random, 0.7, 0.2))),
+                      manyRays(kFewer));
     }
-    checkNoEscape("torus", mirrored(Torus{1, 0.35, randomPlacement(random, 0.7, 0.2)}), kFewer);
+    checkNoEscape("torus", mirrored(Torus{1, 0.35, randomPlacement(random, 0.7, 0.2)}), manyRays(kFewer));
 }
 
 TEST_CASE("no ray escapes from inside a closed mesh", "[escape]") {
     Random random;
     Scene scene = mirrored(MeshInstance{0, randomPlacement(random, 0.9, 0.2)});
     scene.meshes = {sphereMesh(32, false)};
-    checkNoEscape("mesh", scene, kMany);
+    checkNoEscape("mesh", scene, manyRays(kMany));
 }
 
 TEST_CASE("no ray escapes from inside a CSG solid", "[escape]") {
-    checkNoEscape("drilled cube", drilledCube(), kMany);
+    checkNoEscape("drilled cube", drilledCube(), manyRays(kMany));
 
     // The same with a mesh for the ball
     Random random;
     Scene meshed = drilledCube();
     meshed.meshes = {sphereMesh(32, false)};
     meshed.csgLeaves[1].shape = MeshInstance{0, glm::scale(dmat4(1), dvec3(0.95))};
-    checkNoEscape("drilled cube with a mesh", meshed, kMany);
+    checkNoEscape("drilled cube with a mesh", meshed, manyRays(kMany));
 }
 
 } // namespace hyalite::testing

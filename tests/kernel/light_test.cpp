@@ -173,8 +173,8 @@ TEST_CASE("photons leave the lights as in the reference, by the lights' pmf") {
     const auto paths = both.room<shared::PhotonPath>(count);
     const auto pass = reference::progressivePass(both.world, 2);
     both.run("emit_photons",
-             shared::EmitPhotonsArguments{both.deviceScene.lights, rays, paths, count, both.deviceScene.lightCount,
-                                          pass.sequence},
+             shared::EmitPhotonsArguments{both.deviceScene.lights, rays, paths, 0, count, count,
+                                          both.deviceScene.lightCount, pass.sequence},
              count);
     std::vector<dvec3> flux(both.world.lights.size(), dvec3(0));
     std::vector<std::uint32_t> emitted(both.world.lights.size(), 0);
@@ -235,7 +235,8 @@ TEST_CASE("no flux of any light is lost: it is stored, absorbed, cut off, escape
     const auto nextPaths = both.room<shared::PhotonPath>(count);
     const auto alive = both.room<shared::uint>(count);
     std::ranges::fill(fates.host(), shared::PhotonFate{});
-    both.run("emit_photons", shared::EmitPhotonsArguments{d.lights, rays, paths, count, d.lightCount, 17}, count);
+    both.run("emit_photons", shared::EmitPhotonsArguments{d.lights, rays, paths, 0, count, count, d.lightCount, 17},
+             count);
     both.run("trace_closest", shared::TraceClosestArguments{rays, hits, count, d.rootNode}, count);
     both.run("scatter_photon",
              shared::ScatterPhotonArguments{rays, hits, paths, d.materials, d.normals, d.instances, photons, fates,

@@ -9,6 +9,9 @@
 #include "render/shadow_photons.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <tuple>
 
 namespace hyalite::testing {
 
@@ -41,9 +44,9 @@ Emitted emitCausticPhotons(BothSides& both, const reference::PhotonPass& pass) {
     const auto rays = both.room<shared::Ray>(pass.count);
     const auto paths = both.room<shared::PhotonPath>(pass.count);
     both.run("emit_caustic_photons",
-             shared::EmitCausticPhotonsArguments{both.deviceScene.lights, both.deviceScene.targets, rays, paths,
-                                                 pass.count, both.deviceScene.lightCount, both.deviceScene.targetCount,
-                                                 pass.sequence},
+             shared::EmitCausticPhotonsArguments{both.deviceScene.lights, both.deviceScene.targets, rays, paths, 0,
+                                                 pass.count, pass.count, both.deviceScene.lightCount,
+                                                 both.deviceScene.targetCount, pass.sequence},
              pass.count);
     return {rays.read(), paths.read()};
 }
@@ -163,6 +166,58 @@ TEST_CASE("shadow photons fall where the reference's fall") {
     CHECK(100 * alike >= 99 * expected.size());
     CHECK(direct > 1000);
     CHECK(alike - direct > 200); // behind the spheres and the lamps
+}
+
+// Sorted by every bit, since pieces are listed one after the other.
+std::vector<std::array<std::uint32_t, 8>> sortedBits(const gpu::Array<shared::Photon>& photons, std::uint32_t slots) {
+    std::vector<std::array<std::uint32_t, 8>> bits;
+    for (const shared::Photon& photon : render::storedPhotons(photons, slots)) {
+        bits.push_back(std::bit_cast<std::array<std::uint32_t, 8>>(photon));
+    }
+    std::ranges::sort(bits);
+    return bits;
+}
+
+TEST_CASE("photons traced in pieces are, bit for bit, those traced at once, and so is the account of their flux") {
+    const Scene scene = litBox();
+    const std::uint32_t count = 3000;
+    const std::uint32_t sequence =
+        shared::photonSequence(shared::renderSeed(1, shared::kSobolNumbers), shared::kGlobalPhotons, 0);
+    const std::uint32_t direct = 1U << shared::kPhotonDirect;
+    const std::uint32_t others = 1U << shared::kPhotonIndirect | 1U << shared::kPhotonCaustic;
+    for (const auto& [kinds, aimed] : {std::pair{direct | others, false}, {others, false}, {others, true}}) {
+        CAPTURE(kinds, aimed);
+        const auto trace = [&, wanted = kinds, towards = aimed](std::uint32_t atOnce) {
+            BothSides both(scene);
+            render::PhotonPaths paths(both.device, both.scene, both.deviceScene, atOnce);
+            const std::uint32_t slots =
+                paths.trace({.sequence = sequence, .count = count, .kinds = wanted, .aimed = towards, .account = true});
+            both.device.commands.finish();
+            dvec3 emitted(0), stored(0);
+            for (const render::LightBalance& light : paths.balance()) {
+                emitted += light.emitted;
+                stored += light.stored;
+            }
+            return std::tuple(sortedBits(paths.photons(), slots), emitted, stored, paths.raysTraced());
+        };
+        const auto atOnce = trace(count);
+        CHECK(std::get<0>(atOnce).size() > 500);
+        for (const std::uint32_t piece : {1000U, 1234U}) { // with and without a smaller last piece
+            const auto pieces = trace(piece);
+            CHECK((pieces == atOnce));
+        }
+    }
+}
+
+TEST_CASE("shadow photons cast in pieces are those cast at once") {
+    BothSides both(litBox());
+    render::ShadowPhotonPaths whole(both.device, both.scene, both.deviceScene, 2000);
+    render::ShadowPhotonPaths parts(both.device, both.scene, both.deviceScene, 700);
+    const std::uint32_t slotsOfWhole = whole.cast(2000);
+    const std::uint32_t slotsOfParts = parts.cast(2000);
+    both.device.commands.finish();
+    CHECK((sortedBits(parts.photons(), slotsOfParts) == sortedBits(whole.photons(), slotsOfWhole)));
+    CHECK(slotsOfParts == slotsOfWhole);
 }
 
 TEST_CASE("a gathering ray leaves with the numbers and the weight of the reference's, never into the surface") {

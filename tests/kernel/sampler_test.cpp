@@ -354,7 +354,7 @@ TEST_CASE("camera rays start evenly over the lens, aimed photons go evenly into 
     const auto photonPaths = both.room<shared::PhotonPath>(kDraws);
     both.run("emit_caustic_photons",
              shared::EmitCausticPhotonsArguments{both.deviceScene.lights, both.deviceScene.targets, rays, photonPaths,
-                                                 kDraws, 1, 1, 7},
+                                                 0, kDraws, kDraws, 1, 1, 7},
              kDraws);
     CHECK(follows(alarms, cone, [&](std::uint32_t i) { return dvec3(rays.host()[i].direction); }));
     const reference::PhotonPass pass{.sequence = 7, .count = kDraws, .kinds = 4, .aimed = true};

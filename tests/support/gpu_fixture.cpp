@@ -1,6 +1,7 @@
 // One context for the whole program, because opening a device takes longer than most tests.
 #include "support/gpu_fixture.h"
 
+#include "gpu/lavapipe.h"
 #include "shaders/shared/scene_records.h"
 
 #include <cstdio>
@@ -9,6 +10,7 @@
 namespace hyalite::testing {
 
 Gpu::Gpu() : compiler_(HYALITE_SOURCE_DIR "/shaders", HYALITE_TEST_CACHE) {
+    gpu::prepareLavapipe(HYALITE_TEST_CACHE);
     gpu::ContextOptions options;
     options.validation = std::getenv("HYALITE_VALIDATION") != nullptr; // NOLINT(concurrency-mt-unsafe): nobody sets it
     options.onValidationMessage = [this](const std::string& text) {

@@ -1,6 +1,7 @@
 // Radii from the density of points, on patterns whose density is known.
 #include "geometry/search_radius.h"
 
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
@@ -44,6 +45,25 @@ TEST_CASE("neighbours on a ring are where the ring says, and between two rings i
         }
     }
     CHECK_THAT(typicalSpacing(points, 1), WithinRel(0.6 * std::sin(std::numbers::pi / kCorners), 1e-9));
+}
+
+TEST_CASE("the spacing is that of each point's k-th neighbour, looked for among all") {
+    std::vector<glm::dvec3> points = scattered(700, 10, 1);
+    for (std::size_t i = 0; i < 200; ++i) { // some in a cluster, some beside a plane
+        points.push_back(i % 2 == 0 ? points[i] * 0.01 : points[i] + glm::dvec3(0, 0.1, 0));
+    }
+    for (const std::size_t k : {1UL, 4UL, 10UL, 60UL}) {
+        double logs = 0;
+        for (const glm::dvec3& point : points) {
+            std::vector<double> distances;
+            for (const glm::dvec3& other : points) {
+                distances.push_back(glm::distance(point, other));
+            }
+            std::ranges::sort(distances); // the first is its own, 0
+            logs += std::log(distances[k]);
+        }
+        CHECK_THAT(typicalSpacing(points, k), WithinRel(std::exp(logs / static_cast<double>(points.size())), 1e-9));
+    }
 }
 
 TEST_CASE("points that coincide have no distance") {

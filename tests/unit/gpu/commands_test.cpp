@@ -3,6 +3,7 @@
 #include "unit/gpu/temporary_shaders.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -93,6 +94,39 @@ TEST_CASE("an observer finds the buffers that a kernel is given, before and afte
         CHECK(Gpu::shared().context().memoryAt(address + 4).size() == 99 * sizeof(std::uint32_t));
     }
     CHECK(Gpu::shared().context().memoryAt(address).empty()); // the buffer is gone
+}
+
+TEST_CASE("a dispatch in pieces is the whole of it, and can be given up between them", "[commands]") {
+    struct Observer : gpu::DispatchObserver {
+        int pieces = 1;
+        int most = 0; // give up before the next; 0: never
+        void before(const gpu::Dispatch& /*dispatch*/) override {}
+        void after(const gpu::Dispatch& /*dispatch*/) override {}
+        [[nodiscard]] std::uint32_t threadsOfPiece() const override { return 1000; }
+        void between() override {
+            if (pieces++ == most) {
+                throw std::runtime_error("enough");
+            }
+        }
+    };
+    // A piece is the largest multiple of the group's 64 threads that is no more: 15 groups, 960 threads. 10 000 threads
+    // are 157 groups: ten whole pieces and 7 groups.
+    const Kernel kernel = valuesKernel("count_pieces", kCount);
+    const Array<std::uint32_t> values = zeros(10'000);
+    Observer observer;
+    Commands commands(Gpu::shared().context(), Gpu::shared().tables());
+    commands.observe(&observer);
+    commands.run(kernel, ValuesArguments{values.buffer().address(), 10'000}, 10'000);
+    CHECK(observer.pieces == 11);
+    CHECK(values.read() == std::vector<std::uint32_t>(10'000, 1));
+
+    observer.pieces = 1;
+    observer.most = 2;
+    CHECK_THROWS_WITH(commands.run(kernel, ValuesArguments{values.buffer().address(), 10'000}, 10'000), "enough");
+    const std::vector<std::uint32_t> twice = values.read();
+    CHECK(std::count(twice.begin(), twice.end(), 2U) == 2 * 960);
+    CHECK(twice[2 * 960 - 1] == 2);
+    CHECK(twice[2 * 960] == 1);
 }
 
 TEST_CASE("a kernel sees all that the ones before it wrote", "[commands]") {

@@ -56,7 +56,7 @@ std::map<std::string, HostLayout> hostLayouts() {
                 maxDepth, bounceDepth);
     HOST_LAYOUT(BouncePathsArguments, paths, visiblePoints, nextRays, nextPaths, alive, count, depth, maxDepth, pass);
     HOST_LAYOUT(TraceShadowArguments, shadowRays, contributions, direct, count, rootNode);
-    HOST_LAYOUT(EmitPhotonsArguments, lights, rays, paths, count, lightCount, sequence);
+    HOST_LAYOUT(EmitPhotonsArguments, lights, rays, paths, first, count, ofPass, lightCount, sequence);
     HOST_LAYOUT(ScatterPhotonArguments, rays, hits, paths, materials, normals, instances, photons, fates, nextRays,
                 nextPaths, alive, count, firstPhoton, depth, maxDepth, sequence, kinds, account);
     HOST_LAYOUT(CompactCameraPathsArguments, alive, offsets, nextRays, nextPaths, rays, paths, count);
@@ -92,8 +92,10 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(AccumulateFilmArguments, colors, film, faults, count);
     HOST_LAYOUT(ResolveFilmArguments, first, second, image, count, scale);
     HOST_LAYOUT(EstimateErrorArguments, first, second, errors, sums, count, firstPasses, secondPasses, layers, light);
+    HOST_LAYOUT(ShowSurfaceArguments, rays, hits, normals, instances, colors, count, shown);
     HOST_LAYOUT(TargetRecord, center, radius);
-    HOST_LAYOUT(EmitCausticPhotonsArguments, lights, targets, rays, paths, count, lightCount, targetCount, sequence);
+    HOST_LAYOUT(EmitCausticPhotonsArguments, lights, targets, rays, paths, first, count, ofPass, lightCount,
+                targetCount, sequence);
     HOST_LAYOUT(CastShadowPhotonsArguments, rays, hits, paths, materials, normals, instances, photons, nextRays,
                 nextPaths, alive, count, firstPhoton);
     HOST_LAYOUT(StartGatherRaysArguments, visiblePoints, rays, paths, alive, count, pass);

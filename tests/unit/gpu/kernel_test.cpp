@@ -54,7 +54,8 @@ TEST_CASE("reflection reads sizes, members, strides and specialization constants
                        "layout(constant_id = 2) const bool kScale = true;");
     const gpu::KernelInterface interface = gpu::reflect(ShaderCompiler(folder.shaders()).compile("reflected"));
     CHECK(interface.localSize == 64);
-    CHECK(interface.specializationConstants == std::map<std::string, std::uint32_t>{{"kScale", 2}});
+    // kWorkers is lib/thread.glsl's
+    CHECK(interface.specializationConstants == std::map<std::string, std::uint32_t>{{"kScale", 2}, {"kWorkers", 15}});
     // Scalar layout: address 8, beta 12, pixel 4, samplerSeed 4, medium 4, pdfW 4, two colors 24, count 4: 64 bytes, a
     // multiple of 8.
     CHECK(interface.pushConstantBytes == 64);

@@ -156,3 +156,28 @@ TEST_CASE("the cache leaves no temporary files behind", "[shader]") {
     const CachedKernels kernels;
     CHECK(filesIn(kernels.cache).size() == 1);
 }
+
+TEST_CASE("values in place of specialization constants take with them the code that they never reach", "[shader]") {
+    const CachedKernels kernels;
+    kernels.folder.writeKernel(
+        "chosen", "UintArray values;",
+        "if (kWays == 3u && kWide) { for (uint n = i; n > 1u; n /= 3u) { args.values.at[n] = n; } }"
+        " else { args.values.at[i] = 1u; }",
+        "layout(constant_id = 2) const uint kWays = 3u;\n"
+        "layout(constant_id = 4) const bool kWide = true;");
+    const gpu::SpirV general = kernels.compiler.compile("chosen");
+    const auto with = [&](std::uint32_t ways, std::uint32_t wide) {
+        return kernels.compiler.specialized("chosen", general, {{2, ways}, {4, wide}});
+    };
+    const gpu::SpecializedKernel both = with(3, 1);
+    CHECK(both.isNew);
+    CHECK(gpu::reflect(both.spirv).specializationConstants.empty());
+    for (const auto& [ways, wide] : {std::pair(3U, 0U), std::pair(2U, 1U)}) {
+        const gpu::SpecializedKernel other = with(ways, wide);
+        CHECK(other.isNew);
+        CHECK(other.spirv.size() < both.spirv.size());
+    }
+    const gpu::SpecializedKernel again = with(3, 1);
+    CHECK_FALSE(again.isNew);
+    CHECK(again.spirv == both.spirv);
+}

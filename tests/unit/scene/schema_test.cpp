@@ -75,8 +75,12 @@ TEST_CASE("the JSON Schema has exactly the keys that the loader knows") {
         {"/$defs/conductor", "hyalite: 1\nobjects: []\nmaterials: {m: {type: conductor, metal: gold, unheardof: 1}}\n"},
         {"/$defs/metallicRoughness",
          "hyalite: 1\nobjects: []\nmaterials: {m: {type: metallic_roughness, unheardof: 1}}\n"},
+        {"/$defs/customReflectance",
+         "hyalite: 1\nobjects: []\nmaterials: {m: {type: custom, file: t.glsl, unheardof: 1}}\n"},
         {"/$defs/checker", "hyalite: 1\nobjects: []\ntextures: {t: {type: checker, unheardof: 1}}\n"},
         {"/$defs/imageTexture", "hyalite: 1\nobjects: []\ntextures: {t: {type: image, file: t.png, unheardof: 1}}\n"},
+        {"/$defs/customTexture",
+         "hyalite: 1\nobjects: []\ntextures: {t: {type: custom, file: t.glsl, unheardof: 1}}\n"},
         {"/$defs/textureReference", "hyalite: 1\nobjects: []\ntextures: {t: {type: checker}}\n"
                                     "materials: {m: {type: mirror, reflectance: {texture: t, unheardof: 1}}}\n"},
         {"/$defs/pointLight", "hyalite: 1\nobjects: []\nlights: [{type: point, position: [0, 0, 0], unheardof: 1}]\n"},

@@ -23,7 +23,8 @@ GOOD = {
     "hyalite": 1,
     "camera": {"fov": 40, "resolution": [640, 480], "aperture": 0.1, "focus_distance": 2},
     "textures": {"c": {"type": "checker", "colors": [0, [1, 1, 1]], "size": 2, "space": "uv"},
-                 "i": {"type": "image", "file": "i.png", "encoding": "linear"}},
+                 "i": {"type": "image", "file": "i.png", "encoding": "linear"},
+                 "g": {"type": "custom", "file": "g.glsl", "parameters": [1, 2]}},
     "render": {"integrator": "whitted", "max_depth": 0, "radius": 0},
     "materials": {
         "m": {"type": "diffuse", "albedo": 0.5},
@@ -33,6 +34,7 @@ GOOD = {
         "tin": {"type": "conductor", "eta": 1.5, "k": [5, 5, 4.5]},
         "frosted": {"type": "dielectric", "roughness": 0.2},
         "paint": {"type": "metallic_roughness", "base_color": [1, 0, 0], "metallic": 0.5, "roughness": 1},
+        "own": {"type": "custom", "file": "own.glsl", "parameters": [1, 2], "roughness": 0.2},
         "worn": {"type": "metallic_roughness", "base_color": {"texture": "c"},
                  "metallic_roughness_texture": {"texture": "i"}},
     },

@@ -246,3 +246,58 @@ TEST_CASE("a glTF texture that cannot be shown is refused, unless the object has
     gltf.document["images"][0]["uri"] = "../none.png";
     CHECK_THAT(messageOf(), ContainsSubstring("the image '../none.png' must be a file in the folder"));
 }
+
+TEST_CASE("a texture in GLSL is read with its parameters, and is called as its file is") {
+    TemporaryFolder folder;
+    folder.write("wood.glsl", "vec3 wood(vec3 position, vec2 uv, vec4 parameters) {\n    return vec3(0.5);\n}\n");
+    const Scene scene = loadWith(folder, "{type: custom, file: wood.glsl, parameters: [1, -2.5]}",
+                                 "{type: diffuse, albedo: {texture: t}}");
+    const auto& texture = std::get<CustomTexture>(scene.textures.at(0).model);
+    CHECK(texture.code->function == "wood");
+    CHECK(texture.code->file == (folder.path() / "wood.glsl").string());
+    CHECK(texture.parameters == glm::dvec4(1, -2.5, 0, 0));
+}
+
+TEST_CASE("a material in GLSL is read with its parameters and its roughness") {
+    TemporaryFolder folder;
+    folder.write("film.glsl", "vec3 film(float cosine, vec4 parameters) {\n    return vec3(0.5);\n}\n");
+    const auto scene = folder.write(
+        "scene.yaml",
+        "hyalite: 1\nmaterials: {m: {type: custom, file: film.glsl, parameters: [3, 2], roughness: 0.4}}\n" +
+            std::string("objects: [{shape: {type: sphere, radius: 1}, material: m}]\n"));
+    const auto model = std::get<CustomReflectance>(loadScene(scene).materials.at(0).model);
+    CHECK(model.code->function == "film");
+    CHECK(model.parameters == glm::dvec4(3, 2, 0, 0));
+    CHECK(model.roughness == 0.4);
+}
+
+TEST_CASE("code of a scene must lie in its folder, be named like its function and need no preprocessor") {
+    TemporaryFolder folder;
+    folder.write("outside.glsl", "vec3 outside(vec3 p, vec2 uv, vec4 k) { return p; }\n");
+    const auto inner = folder.path() / "inner";
+    folder.write("inner/none.glsl", "vec3 other(vec3 p, vec2 uv, vec4 k) { return p; }\n");
+    folder.write("inner/wrong.glsl", "float wrong(vec3 p, vec2 uv, vec4 k) { return 1.0; }\n");
+    folder.write("inner/takes.glsl",
+                 "#include \"lib/light.glsl\"\nvec3 takes(vec3 p, vec2 uv, vec4 k) { return p; }\n");
+    folder.write("inner/two words.glsl", "vec3 two(vec3 p, vec2 uv, vec4 k) { return p; }\n");
+    folder.write("inner/good.txt", "vec3 good(vec3 p, vec2 uv, vec4 k) { return p; }\n");
+    std::filesystem::create_symlink(folder.path() / "outside.glsl", inner / "link.glsl");
+    const auto refusalOf = [&](const std::string& file) {
+        const auto scene = folder.write("inner/scene.yaml", kStart + "textures: {t: {type: custom, file: \"" + file +
+                                                                "\"}}\nmaterials: {m: {type: diffuse}}\n" + kObject);
+        const auto error = errorOf([&] { return loadScene(scene); });
+        REQUIRE(error.has_value());
+        CHECK(error->code() == ExitCode::BadInput);
+        return std::string(error->what());
+    };
+    CHECK_THAT(refusalOf("../outside.glsl"), ContainsSubstring("not in the scene file's folder"));
+    CHECK_THAT(refusalOf((folder.path() / "outside.glsl").string()),
+               ContainsSubstring("not in the scene file's folder"));
+    CHECK_THAT(refusalOf("link.glsl"), ContainsSubstring("not in the scene file's folder"));
+    CHECK_THAT(refusalOf("gone.glsl"), ContainsSubstring("no such file"));
+    CHECK_THAT(refusalOf("none.glsl"), ContainsSubstring("no function 'vec3 none(...)'"));
+    CHECK_THAT(refusalOf("wrong.glsl"), ContainsSubstring("no function 'vec3 wrong(...)'"));
+    CHECK_THAT(refusalOf("takes.glsl"), ContainsSubstring("no #include"));
+    CHECK_THAT(refusalOf("two words.glsl"), ContainsSubstring("called like the function"));
+    CHECK_THAT(refusalOf("good.txt"), ContainsSubstring("called like the function"));
+}

@@ -1,0 +1,126 @@
+// `hyalite live`: a page that shows a scene as it renders, and again as its shaders change. Hidden beside it, the
+// worker process that renders.
+#include "base/error.h"
+#include "cli/command.h"
+#include "cli/number_check.h"
+#include "cli/open_device.h"
+#include "cli/shader_folder.h"
+#include "gpu/context.h"
+#include "live/live_server.h"
+#include "live/worker.h"
+#include "scene/load_scene.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <unistd.h>
+
+namespace hyalite::cli {
+
+namespace {
+
+constexpr const char* kWorkerCommand = "live-worker";
+
+struct LiveCommand {
+    std::string scene;
+    DeviceChoice device;
+    std::string address = "127.0.0.1";
+    std::optional<int> port;
+    bool edit = false;
+    double limit = 10; // [s]
+    std::vector<std::string> settings;
+};
+
+// Where kernels that were compiled once are found again: the user's cache, or for who has none a folder for this
+// process.
+std::filesystem::path cacheOfLive(pid_t server) {
+    const std::filesystem::path folder = cacheFolder();
+    return folder.empty() ? std::filesystem::temp_directory_path() / ("hyalite-" + std::to_string(server)) : folder;
+}
+
+std::vector<std::string> workerArguments(const DeviceChoice& device) {
+    std::vector<std::string> arguments{kWorkerCommand};
+    const auto add = [&](const std::string& option, const std::string& value) {
+        if (!value.empty()) {
+            arguments.insert(arguments.end(), {option, value});
+        }
+    };
+    add("--device", device.name);
+    add("--shaders", device.shaders);
+    if (device.validation) {
+        arguments.emplace_back("--validation");
+    }
+    return arguments;
+}
+
+void runLive(LiveCommand command) {
+    if (!std::filesystem::is_regular_file(command.scene)) {
+        static_cast<void>(loadScene(command.scene)); // says what is wrong; other mistakes the page shows
+    }
+    static_cast<void>(gpu::chooseDevice(gpu::listDevices(), command.device.name)); // throws where there is none
+    command.device.shaders = std::filesystem::absolute(findShaders(command.device.shaders)).lexically_normal().string();
+    live::ServerOptions options;
+    options.address = command.address;
+    options.port = command.port.value_or(options.port);
+    options.portIsAChoice = !command.port;
+    options.mayWrite = command.edit;
+    options.supervisor.scene = std::filesystem::absolute(command.scene).lexically_normal();
+    options.supervisor.shaders = command.device.shaders;
+    options.supervisor.workerArguments = workerArguments(command.device);
+    options.supervisor.limit = command.limit;
+    options.supervisor.say = [](const std::string& line) { std::cout << line << std::endl; };
+    for (const std::string& setting : command.settings) {
+        const std::size_t equals = setting.find('=');
+        if (equals == std::string::npos) {
+            throw Error(ExitCode::WrongUsage, "--set " + setting + " has no value", "write --set key=value");
+        }
+        options.supervisor.settings[setting.substr(0, equals)] = setting.substr(equals + 1);
+    }
+    live::serve(std::move(options));
+    if (cacheFolder().empty()) {
+        std::error_code ignored; // it is the system's to clean
+        std::filesystem::remove_all(cacheOfLive(getpid()), ignored);
+    }
+}
+
+} // namespace
+
+void addLive(CLI::App& app) {
+    const auto command = std::make_shared<LiveCommand>();
+    CLI::App* sub = app.add_subcommand("live", "a page that renders a scene, and again whenever a shader is saved");
+    sub->add_option("SCENE", command->scene, "scene file (YAML)")->required();
+    sub->add_option("--port", command->port, "port to listen at; 0: any that is free (7878)")
+        ->check(CLI::Range(0, 65535));
+    sub->add_option(
+        "--host", command->address,
+        "address to listen at instead of this machine's own; the page then needs the token that is printed");
+    sub->add_flag("--edit", command->edit, "let the page save shaders and the scene");
+    sub->add_option("--limit", command->limit, "stop a kernel that takes longer than this many seconds (10)")
+        ->check(finiteNumber(/*zeroAllowed*/ false));
+    sub->add_option("--set", command->settings, "set a key of the scene file, e.g. --set camera.resolution=256x256");
+    addDeviceOptions(*sub, command->device);
+    sub->callback([command] { runLive(*command); });
+}
+
+void addLiveWorker(CLI::App& app) {
+    struct WorkerCommand {
+        DeviceChoice device;
+        live::WorkerOptions options;
+    };
+    const auto command = std::make_shared<WorkerCommand>();
+    CLI::App* sub = app.add_subcommand(kWorkerCommand, "started by hyalite live");
+    sub->group(""); // not for users
+    sub->add_option("--channel", command->options.channel)->required();
+    sub->add_option("--pulse", command->options.pulse)->required();
+    addDeviceOptions(*sub, command->device);
+    sub->callback([command] {
+        const OpenDevice device(command->device);
+        command->options.shaders = device.compiler().shaders();
+        command->options.cache = cacheOfLive(getppid());
+        command->options.shipped = shippedKernels();
+        live::runWorker(device.context(), command->options);
+    });
+}
+
+} // namespace hyalite::cli

@@ -1,0 +1,288 @@
+#include "live/live_renderer.h"
+
+#include "base/stopwatch.h"
+#include "parity/observed.h"
+#include "parity/path_recorder.h"
+#include "parity/sides.h"
+#include "reference/custom_twins.h"
+#include "render/custom_code.h"
+#include "scene/load_scene.h"
+#include "scene/settings.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hyalite::live {
+
+namespace {
+
+// First pictures should take no longer [s]: with the camera's way to the worker and the picture's to the page, an eye
+// still takes them for the answer to its hand.
+constexpr double kPreviewSeconds = 0.06;
+constexpr std::uint32_t kFewestPhotons = 2000;
+
+std::optional<render::DebugQuantity> debugQuantity(const std::string& shown) {
+    constexpr std::array<std::pair<std::string_view, render::DebugQuantity>, 3> kQuantities{
+        {{"normals", render::DebugQuantity::Normals},
+         {"depth", render::DebugQuantity::Depth},
+         {"bounces", render::DebugQuantity::Bounces}}};
+    for (const auto& [name, quantity] : kQuantities) {
+        if (shown == name) {
+            return quantity;
+        }
+    }
+    return std::nullopt;
+}
+
+std::map<std::string, gpu::StageTime> difference(const std::map<std::string, gpu::StageTime>& now,
+                                                 const std::map<std::string, gpu::StageTime>& before) {
+    std::map<std::string, gpu::StageTime> times;
+    for (const auto& [name, time] : now) {
+        const auto found = before.find(name);
+        const gpu::StageTime base = found == before.end() ? gpu::StageTime() : found->second;
+        if (time.dispatches > base.dispatches) {
+            times[name] = {time.seconds - base.seconds, time.dispatches - base.dispatches, time.threads - base.threads};
+        }
+    }
+    return times;
+}
+
+// Hands the recorder what it looks at, and nothing else: copies of all buffers take longer than the pass.
+class PathObserver final : public gpu::DispatchObserver {
+public:
+    PathObserver(const gpu::Context& context, const gpu::TexelTables& tables, parity::PathRecorder& recorder)
+        : context_(context), tables_(tables), recorder_(recorder) {}
+
+    void before(const gpu::Dispatch& dispatch) override {
+        constexpr std::array<std::string_view, 4> kSeen{"generate_camera_rays", "start_gather_rays", "shade_surface",
+                                                        "bounce_paths"};
+        const std::string& kernel = dispatch.kernel.name();
+        if (hasPaths_ && kernel.starts_with("emit_")) { // photons of ppm: the camera's paths are at their ends
+            throw Interrupted();
+        }
+        hasPaths_ = hasPaths_ || kernel == "generate_camera_rays";
+        if (std::ranges::find(kSeen, kernel) != kSeen.end()) {
+            seen_.emplace(context_, tables_, dispatch);
+        }
+    }
+    void after(const gpu::Dispatch& /*dispatch*/) override {
+        if (seen_) {
+            recorder_.see(*seen_);
+            seen_.reset();
+        }
+    }
+
+private:
+    const gpu::Context& context_;
+    const gpu::TexelTables& tables_;
+    parity::PathRecorder& recorder_;
+    std::optional<parity::Observed> seen_;
+    bool hasPaths_ = false;
+};
+
+} // namespace
+
+LiveRenderer::LiveRenderer(const gpu::Context& context, ReloadingCompiler& compiler, Pulse& pulse,
+                           std::function<bool()> isUnwanted)
+    : context_(context), compiler_(compiler), pulse_(pulse), device_(context, compiler, /*timed*/ true),
+      prints_(context, device_.tables), guard_(pulse, prints_, std::move(isUnwanted)) {
+    device_.commands.observe(&guard_);
+}
+
+void LiveRenderer::load(const std::filesystem::path& file) {
+    Scene scene = loadScene(file);
+    Scene seen = withView(scene, view_);
+    drop();
+    auto loaded = std::make_unique<Loaded>();
+    loaded->scene = std::move(scene);
+    try {
+        loaded->device = render::uploadScene(context_, device_.tables, loaded->scene);
+    } catch (const Error&) {
+        if (loaded_) { // the tables show what has gone away
+            loaded_->device = render::uploadScene(context_, device_.tables, loaded_->scene);
+        }
+        throw;
+    }
+    device_.finishKernels(); // they read what is replaced now
+    compiler_.replace(render::customCode(seen));
+    device_.forget(compiler_.takeChanged());
+    loaded_ = std::move(loaded);
+    scene_ = std::move(seen);
+}
+
+Scene LiveRenderer::withView(const Scene& scene, const View& view) const {
+    Scene seen = scene;
+    const auto apply = [&](const std::string& key, const std::string& value) {
+        applySetting(seen, key, value, "page");
+    };
+    // Settings may need one another (a depth of 0 suits one integrator only): what is refused is tried again after the
+    // rest
+    auto settings = view.settings;
+    while (!settings.empty()) {
+        decltype(settings) refused;
+        std::optional<Error> first;
+        for (const auto& [key, value] : settings) {
+            try {
+                apply(key, value);
+            } catch (const Error& error) {
+                first = first ? first : error;
+                refused.emplace_back(key, value);
+            }
+        }
+        if (refused.size() == settings.size()) {
+            throw Error(*first);
+        }
+        settings = std::move(refused);
+    }
+    if (view.shown != "picture" && !debugQuantity(view.shown)) {
+        if (seen.render.integrator != Integrator::PhotonMap) {
+            seen.render.maxDepth = std::max(seen.render.maxDepth, 1U);
+            apply("render.integrator", "photonmap");
+        }
+        apply("render.view", view.shown);
+    }
+    return seen;
+}
+
+void LiveRenderer::look(View view) {
+    if (loaded_) {
+        Scene seen = withView(loaded_->scene, view);
+        drop();
+        scene_ = std::move(seen);
+    }
+    view_ = std::move(view);
+}
+
+void LiveRenderer::forget(const std::set<std::string>& kernels) {
+    drop();
+    device_.forget(kernels);
+}
+
+void LiveRenderer::drop() {
+    device_.commands.finish(); // what was recorded names buffers that go away now
+    run_.reset();
+}
+
+bool LiveRenderer::wantsPreview() const {
+    const glm::uvec2 size = scene_.camera.resolution;
+    return static_cast<double>(size.x) * size.y > 1.5 * previewPixels_;
+}
+
+std::unique_ptr<LiveRenderer::Run> LiveRenderer::makeRun(Scene scene, std::optional<render::DebugQuantity> quantity,
+                                                         bool isPreview) {
+    auto run = std::make_unique<Run>();
+    run->scene = std::move(scene);
+    run->isPreview = isPreview;
+    loaded_->device.camera = render::cameraRecord(run->scene.camera);
+    run->film.emplace(device_, run->scene.camera.resolution,
+                      quantity ? render::DebugView::layers() : render::layersOf(run->scene));
+    if (quantity) {
+        run->scene.render.passes = 1;
+        run->integrator =
+            std::make_unique<render::DebugView>(device_, run->scene, loaded_->device, *run->film, *quantity);
+    } else {
+        run->integrator = render::makeIntegrator(device_, run->scene, loaded_->device, *run->film, run->options);
+    }
+    return run;
+}
+
+void LiveRenderer::begin(bool isPreview) {
+    const Activity activity(pulse_, kBetweenKernels);
+    drop();
+    Scene scene = scene_;
+    if (isPreview) {
+        glm::uvec2& size = scene.camera.resolution;
+        const double divisor = std::sqrt(static_cast<double>(size.x) * size.y / previewPixels_);
+        size = glm::max(glm::uvec2(1), glm::uvec2(glm::dvec2(size) / divisor));
+        const auto fewer = [&](std::uint32_t count) {
+            return std::min(count, std::max(kFewestPhotons, static_cast<std::uint32_t>(count / (divisor * divisor))));
+        };
+        scene.render.photons = fewer(scene.render.photons);
+        scene.render.photonMap.causticPhotons = fewer(scene.render.photonMap.causticPhotons);
+        scene.render.passes = 1;
+    }
+    guard_.mayStop(!isPreview);
+    prints_.listen(false, shared::kNone);
+    run_ = makeRun(std::move(scene), debugQuantity(view_.shown), isPreview);
+}
+
+void LiveRenderer::renderPass() {
+    const Activity activity(pulse_, kBetweenKernels);
+    const Stopwatch watch;
+    prints_.listen(!run_->isPreview && run_->passes == 0, view_.debugPixel);
+    timesBefore_ = device_.commands.times();
+    run_->film->beginPass(run_->passes);
+    run_->integrator->renderPass(run_->passes);
+    run_->film->endPass();
+    ++run_->passes;
+    timesOfPass_ = difference(device_.commands.times(), timesBefore_);
+    if (run_->isPreview) {
+        adaptPreview(watch.seconds());
+    }
+}
+
+void LiveRenderer::adaptPreview(double seconds) {
+    constexpr double kFewest = 40.0 * 30.0;
+    constexpr double kMost = 512.0 * 512.0;
+    // Towards what would have taken the time allowed, not faster: one pass may compile kernels
+    const double share = std::clamp(kPreviewSeconds / seconds, 0.6, 1.4);
+    previewPixels_ = std::clamp(previewPixels_ * share, kFewest, kMost);
+}
+
+bool LiveRenderer::isDone() const {
+    return run_ == nullptr || run_->passes >= run_->scene.render.passes;
+}
+
+LiveRenderer::Frame LiveRenderer::frame() {
+    const Activity activity(pulse_, kBetweenKernels);
+    Frame frame;
+    guard_.mayStop(false); // a pass has been paid for
+    frame.image = run_->film->resolve(device_);
+    frame.error = run_->film->estimateError(device_);
+    guard_.mayStop(!run_->isPreview);
+    frame.isPreview = run_->isPreview;
+    frame.passes = run_->passes;
+    frame.ofPasses = run_->scene.render.passes;
+    frame.stages = timesOfPass_;
+    frame.counts = run_->integrator->counts();
+    frame.notes = run_->integrator->notes();
+    return frame;
+}
+
+parity::RecordedPath LiveRenderer::inspect(std::uint32_t pixel) {
+    if (const CustomCode* code = reference::codeWithoutTwin(scene_)) {
+        throw Error(ExitCode::WrongUsage, SourceLocation{.file = code->file},
+                    "this code of the scene has no twin: there is nothing to compare a path with");
+    }
+    const Activity activity(pulse_, kBetweenKernels);
+    guard_.mayStop(false);
+    prints_.listen(false, shared::kNone);
+    Scene scene = scene_;
+    scene.render.passes = 1;
+    scene.render.photonMap.view = PhotonView::Picture;
+    if (scene.render.integrator == Integrator::Ppm) { // no camera path depends on radii: none need be found
+        scene.render.radius = 1;
+        scene.render.photonMap.causticRadius = 1;
+    }
+    const parity::Sides sides(scene, loaded_->device);
+    parity::PathRecorder recorder(sides, pixel);
+    PathObserver observer(context_, device_.tables, recorder);
+    const std::unique_ptr<Run> run = makeRun(scene, std::nullopt, false);
+    guard_.lookOnToo(&observer);
+    try {
+        run->film->beginPass(0);
+        run->integrator->renderPass(0);
+    } catch (const Interrupted&) {
+        device_.commands.finish(); // all that was wanted has been seen
+    } catch (const Error&) {
+        guard_.lookOnToo(nullptr);
+        device_.commands.finish();
+        throw;
+    }
+    guard_.lookOnToo(nullptr);
+    guard_.mayStop(run_ != nullptr && !run_->isPreview);
+    return parity::pathOf(sides, recorder, {false, 0, pixel});
+}
+
+} // namespace hyalite::live

@@ -1,0 +1,21 @@
+// The process that renders for `hyalite live`: may hang or crash without taking the page with it.
+#pragma once
+
+#include "gpu/context.h"
+
+#include <filesystem>
+
+namespace hyalite::live {
+
+struct WorkerOptions {
+    int channel = -1; // socket to the server, see protocol in worker.cpp
+    int pulse = -1;   // shared memory
+    std::filesystem::path shaders;
+    std::filesystem::path cache;   // not empty
+    std::filesystem::path shipped; // kernels compiled with the program, see gpu::ShaderCompiler
+};
+
+// Renders what the server asks for until it is gone.
+void runWorker(const gpu::Context& context, const WorkerOptions& options);
+
+} // namespace hyalite::live

@@ -1,0 +1,16 @@
+"""What the measuring scripts share: numpy and matplotlib, or a word on where to get them, and plots that come out as the
+same file from the same figures."""
+
+import sys
+
+try:
+    import matplotlib
+    import numpy
+except ImportError as missing:
+    sys.exit(f"{missing}: install Debian's package (apt-get install python3-matplotlib) and run this with Debian's own "
+             "/usr/bin/python3")
+matplotlib.use("svg")
+matplotlib.rcParams["svg.hashsalt"] = "hyalite"
+from matplotlib import pyplot  # noqa: E402  (the backend is chosen first)
+
+__all__ = ["numpy", "pyplot"]

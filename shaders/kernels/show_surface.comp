@@ -1,0 +1,23 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Draws what geometry says of the surface that each ray meets first: to look at, not light.
+#include "shared/kernel_arguments.h"
+#include "lib/surface.glsl"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { ShowSurfaceArguments args; };
+
+void main() {
+    uint i = threadIndex();
+    if (i >= args.count) {
+        return;
+    }
+    Hit hit = args.hits.at[i];
+    vec3 color = vec3(0.0);
+    if (hit.object != kNone && args.shown == kShowDepth) {
+        color = vec3(hit.t);
+    } else if (hit.object != kNone) {
+        color = 0.5 + 0.5 * surfaceAt(args.rays.at[i], hit, args.normals, args.instances).normal;
+    }
+    args.colors.at[i] = color;
+}

@@ -1,0 +1,102 @@
+"""A running `hyalite live`, for tests: on a free port, with a shaders folder and a scene of its own that may be changed."""
+
+import http.client
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import threading
+import time
+
+# Small enough to be refined within a second, large enough for a first look at less.
+SIDE = 144
+PASSES = 6
+SETTINGS = (f"camera.resolution={SIDE}x{SIDE}", "render.photons=8000", "render.caustic_photons=3000", f"render.passes={PASSES}")
+
+
+class LiveServer:
+    def __init__(self, program, source, folder, *options, scene="cornell-caustics.yaml", settings=SETTINGS):
+        self.shaders = folder / "shaders"
+        self.scene = folder / pathname(scene)
+        if not self.shaders.exists():
+            shutil.copytree(source / "shaders", self.shaders)
+        shutil.copy(source / "scenes" / scene, self.scene)
+        for code in (source / "scenes" / scene).parent.glob("*.glsl"):
+            shutil.copy(code, folder)
+        command = [program, "live", self.scene, "--port", "0", "--shaders", self.shaders, *options]
+        if "HYALITE_VALIDATION" in os.environ:
+            command.append("--validation")
+        for setting in settings:
+            command += ["--set", setting]
+        environment = {**os.environ, "XDG_CACHE_HOME": str(folder / "cache")}
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=environment)
+        self.lines = []
+        self.first_line = threading.Event()
+        threading.Thread(target=self._read, daemon=True).start()
+        assert self.first_line.wait(60), "no address was printed"
+        self.url = re.search(r"http://\S+", self.lines[0])[0]
+        self.port = int(re.search(r":(\d+)/", self.url)[1])
+
+    def _read(self):
+        for line in self.process.stdout:
+            self.lines.append(line.rstrip("\n"))
+            self.first_line.set()
+        self.first_line.set()
+
+    def stop(self):
+        """Ends it as Ctrl-C does; its exit code."""
+        self.process.send_signal(signal.SIGINT)
+        try:
+            return self.process.wait(30)
+        finally:
+            self.process.kill()
+            self.process.wait()
+            self.process.stdout.close()
+            complaints = [line for line in self.lines if "VUID" in line or "validation" in line.lower()]
+            assert not complaints, complaints[:5]
+
+    def request(self, method, path, body=None, headers=None, host="127.0.0.1"):
+        """Status and content of an answer."""
+        connection = http.client.HTTPConnection(host, self.port, timeout=60)
+        given = {"Content-Type": "application/json"} if body is not None else {}
+        try:
+            connection.request(method, path, body if body is None else json.dumps(body), {**given, **(headers or {})})
+            answer = connection.getresponse()
+            return answer.status, answer.read()
+        finally:
+            connection.close()
+
+    def state(self, seen=0):
+        return json.loads(self.request("GET", f"/api/state?seen={seen}")[1])
+
+    def wait_for(self, condition, patience=60):
+        """The first state that the condition holds for."""
+        end = time.monotonic() + patience
+        state = self.state()
+        while not condition(state):
+            assert time.monotonic() < end, f"not within {patience} s; last: {json.dumps(state)[:2000]}; said: {self.lines[-5:]}"
+            state = self.state(state["version"])
+        return state
+
+    def wait_for_picture(self, passes=1, revision=0, newer_than=0, patience=60):
+        def arrived(state):
+            picture = state["picture"]
+            return (picture is not None and not picture["preview"] and picture["passes"] >= passes
+                    and picture["revision"] >= revision and picture["id"] > newer_than)
+        return self.wait_for(arrived, patience)
+
+    def pixels(self):
+        return self.request("GET", "/api/picture?layer=picture")[1]
+
+
+def pathname(scene):
+    return scene.rsplit("/", 1)[-1]
+
+
+def replace(path, old, new):
+    """Edits a file as an editor does; the text must be there."""
+    text = path.read_text()
+    assert old in text, (path, old)
+    path.write_text(text.replace(old, new))

@@ -1,0 +1,15 @@
+// How many rays a test throws where more of them only find rarer faults.
+#pragma once
+
+#include <cstdint>
+#include <cstdlib>
+
+namespace hyalite::testing {
+
+// `most` of them in scripts/test.sh thorough, else a quarter.
+inline std::uint32_t manyRays(std::uint32_t most) {
+    return std::getenv("HYALITE_THOROUGH") != nullptr ? most
+                                                      : most / 4; // NOLINT(concurrency-mt-unsafe): nobody sets it
+}
+
+} // namespace hyalite::testing
