@@ -83,22 +83,26 @@ std::filesystem::path resolveTarget(const std::filesystem::path& path) {
     return target;
 }
 
-// A new file beside `target`, removed again unless renamed to it; errors name `asked`, the path that led there.
+// A new file beside `target`, gone again unless renamed to it; errors name `asked`, the path that led there. Where the
+// system can, it has no name until it is whole: then nothing stays behind, even of a process that is killed.
 class TemporaryFile {
 public:
-    TemporaryFile(const std::filesystem::path& target, const std::filesystem::path& asked) {
-        // A short name of its own: the target's name may already be as long as the file system allows. The process
-        // number keeps programs apart, the counter threads and leftovers of a killed process.
-        constexpr int kMaxAttempts = 1000;
-        for (int attempt = 0; descriptor_ < 0; ++attempt) {
-            path_ = target.parent_path() /
-                    (".hyalite-" + std::to_string(::getpid()) + '-' + std::to_string(attempt) + ".tmp");
-            // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): the only way to ask for an exclusive, umask-honouring
-            // file
-            descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-            if (descriptor_ < 0 && (errno != EEXIST || attempt == kMaxAttempts)) {
-                throwNotWritten(asked, errno);
-            }
+    TemporaryFile(const std::filesystem::path& target, const std::filesystem::path& asked)
+        : folder_(target.parent_path().empty() ? "." : target.parent_path()) {
+        if (::access("/proc/self/fd", X_OK) == 0) {
+            // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): the only way to ask for a file without a name
+            descriptor_ = ::open(folder_.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
+        }
+        if (descriptor_ >= 0) {
+            return;
+        }
+        const int failure = findName([this](const char* name) {
+            // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): nor for an exclusive, umask-honouring one
+            descriptor_ = ::open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            return descriptor_ >= 0;
+        });
+        if (failure != 0) {
+            throwNotWritten(asked, failure);
         }
     }
     TemporaryFile(const TemporaryFile&) = delete;
@@ -137,6 +141,15 @@ public:
     }
 
     [[nodiscard]] int renameTo(const std::filesystem::path& target) {
+        if (path_.empty()) {
+            const std::string self = "/proc/self/fd/" + std::to_string(descriptor_);
+            const int failure = findName([&](const char* name) {
+                return ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW) == 0;
+            });
+            if (failure != 0) {
+                return failure;
+            }
+        }
         // close() reports what network file systems found out late.
         if (::close(std::exchange(descriptor_, -1)) != 0 || ::rename(path_.c_str(), target.c_str()) != 0) {
             return errno;
@@ -146,7 +159,28 @@ public:
     }
 
 private:
-    std::filesystem::path path_;
+    // Sets path_ to a name with which `make` succeeds; returns 0 or the error number. It is short and of its own: the
+    // target's may already be as long as the file system allows. The process number keeps programs apart, the counter
+    // threads and leftovers of a killed process.
+    template <class Make>
+    [[nodiscard]] int findName(const Make& make) {
+        constexpr int kMaxAttempts = 1000;
+        for (int attempt = 0; attempt <= kMaxAttempts; ++attempt) {
+            std::filesystem::path name =
+                folder_ / (".hyalite-" + std::to_string(::getpid()) + '-' + std::to_string(attempt) + ".tmp");
+            const int failure = make(name.c_str()) ? 0 : errno;
+            if (failure == 0) {
+                path_ = std::move(name);
+            }
+            if (failure != EEXIST) {
+                return failure;
+            }
+        }
+        return EEXIST;
+    }
+
+    std::filesystem::path folder_;
+    std::filesystem::path path_; // empty: it has no name
     int descriptor_ = -1;
 };
 

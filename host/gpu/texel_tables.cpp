@@ -25,9 +25,9 @@ struct CheckReport {
 
 void TexelTables::Impl::describeBuffers() const {
     std::vector<std::array<std::uint32_t, 4>> texels(1);
-    for (const auto& [address, bytes] : context->buffers) { // in ascending order
+    for (const auto& [address, buffer] : context->buffers) { // in ascending order
         texels.push_back({std::uint32_t(address), std::uint32_t(address >> 32U),
-                          std::uint32_t(std::min<std::size_t>(bytes.size(), UINT32_MAX)), 0});
+                          std::uint32_t(std::min<std::size_t>(buffer.bytes.size(), UINT32_MAX)), 0});
     }
     if (texels.size() > kMostChecked + 1) {
         throw Error(ExitCode::Device, "more buffers than the checked build knows");

@@ -132,7 +132,8 @@ RenderResult render(const gpu::Context& context, const gpu::ShaderCompiler& comp
     RenderResult result;
     result.setupSeconds = setup.seconds();
     const bool kept = !options.checkpoint.file.empty();
-    Checkpointing checkpointing(options.checkpoint, kept ? identify(scene, deviceScene, withCustomCode) : RenderIdentity());
+    Checkpointing checkpointing(options.checkpoint,
+                                kept ? identify(scene, deviceScene, withCustomCode) : RenderIdentity());
     checkpointing.resume(device, film);
     renderPasses(device, scene, options, film, *integrator, checkpointing, result);
     result.memory = context.memory();

@@ -34,9 +34,10 @@ Drawn draw(render::DebugQuantity quantity) {
     for (std::uint32_t pass = 0; pass < 2; ++pass) {
         film.beginPass(pass);
         view.renderPass(pass);
+        film.endPass();
     }
     device.commands.observe(nullptr);
-    return {capture.finish(), film.resolve(device, 2).picture};
+    return {capture.finish(), film.resolve(device).picture};
 }
 
 } // namespace

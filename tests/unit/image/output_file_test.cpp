@@ -91,7 +91,7 @@ TEST_CASE("a file is written whole, replaces the old one and leaves nothing else
     CHECK(get(folder / "a") == "first");
     writeFileAtomically(folder / "a", bytesOf("second"));
     CHECK(get(folder / "a") == "second");
-    writeFileAtomically(folder / "empty", {});
+    writeFileAtomically(folder / "empty", std::span<const std::byte>());
     CHECK(get(folder / "empty").empty());
     CHECK(folder.entries() == 2);
 }

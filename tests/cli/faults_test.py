@@ -1,0 +1,93 @@
+"""Things that go wrong around a render: a full disk, a folder that goes away, damaged caches, no memory."""
+
+import os
+import resource
+import signal
+import subprocess
+import time
+
+from program import OUTPUT, SCENE, CliTest, command_line, default_environment
+
+# What a small render needs of address space, with the driver and its compiler, and what it does not get [bytes]
+TOO_LITTLE = 400 << 20
+
+
+class Faults(CliTest):
+    def setUp(self):
+        super().setUp()
+        self.write("scene.yaml", SCENE)
+
+    def render(self, cache, output, **options):
+        return self.run_program("render", "scene.yaml", "--quiet", "-o", output, environment={"XDG_CACHE_HOME": str(cache)},
+                                **options)
+
+    def test_a_disk_that_is_full_leaves_the_old_picture_and_no_half_of_the_new(self):
+        # A limit on the size of files stands for it: 4 KiB are less than 64 x 64 pixels of noise
+        def limit():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
+
+        self.write("out.exr", "the old one")
+        cache = self.folder / "no cache" / "can be written"  # compiled kernels are larger, too
+        (self.folder / "no cache").mkdir()
+        result = self.render(cache, "out.exr", preexec_fn=limit)
+        self.assertEqual(result.returncode, 0, result.stderr)  # 8 x 8 pixels fit
+        self.write("scene.yaml", SCENE.replace("resolution: [8, 8]", "resolution: [64, 64]"))
+        self.write("out.exr", "the old one")
+        before = sorted(path for path in self.contents() if not path.startswith("no cache"))
+        result = self.render(cache, "out.exr", preexec_fn=limit)
+        self.assertEqual(result.returncode, OUTPUT, result.stderr)
+        self.assertIn("larger than the system allows", result.stderr)
+        self.assertEqual((self.folder / "out.exr").read_text(), "the old one")
+        self.assertEqual(sorted(path for path in self.contents() if not path.startswith("no cache")), before)
+
+    def test_a_folder_that_goes_away_during_a_render_is_an_error_that_names_it(self):
+        (self.folder / "pictures").mkdir()
+        process = subprocess.Popen(
+            command_line(["render", "scene.yaml", "--passes", "1000000", "-o", "pictures/out.exr", "--checkpoint", "kept",
+                          "--checkpoint-every", "0"]),
+            cwd=self.folder, env=default_environment(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.kill)
+        end = time.monotonic() + 60
+        while not (self.folder / "kept").exists() and time.monotonic() < end:
+            time.sleep(0.05)
+        (self.folder / "pictures").rmdir()
+        process.send_signal(signal.SIGINT)
+        _, said = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, OUTPUT, said)
+        self.assertIn("pictures/out.exr", said)
+        self.assertIn("the folder does not exist", said)
+        # The work is not lost: it is in the checkpoint
+        self.succeed("merge", "kept", "-o", "out.exr", "--quiet")
+
+    def test_two_renders_at_once_fill_one_cache_and_make_the_same_bytes(self):
+        cache = self.folder / "cache"
+        both = [subprocess.Popen(command_line(["render", "scene.yaml", "--quiet", "-o", f"{i}.exr"]), cwd=self.folder,
+                                 env={**default_environment(), "XDG_CACHE_HOME": str(cache)}, stderr=subprocess.PIPE, text=True)
+                for i in (1, 2)]
+        for process in both:
+            _, said = process.communicate(timeout=120)
+            self.assertEqual((process.returncode, said), (0, ""))
+        self.assertEqual((self.folder / "1.exr").read_bytes(), (self.folder / "2.exr").read_bytes())
+
+    def test_a_damaged_cache_costs_time_and_no_picture(self):
+        cache = self.folder / "cache"
+        self.assertEqual(self.render(cache, "first.exr").returncode, 0)
+        damaged = [path for path in cache.rglob("*") if path.is_file()]
+        self.assertGreater(len(damaged), 10)
+        for number, path in enumerate(damaged):
+            content = path.read_bytes()
+            middle = len(content) // 2
+            # Cut off, overwritten in the middle, and emptied, by turns
+            path.write_bytes([content[:middle], content[:middle] + b"damaged!" + content[middle + 8:], b""][number % 3])
+        result = self.render(cache, "second.exr")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual((self.folder / "first.exr").read_bytes(), (self.folder / "second.exr").read_bytes())
+
+    def test_without_memory_the_program_says_so_and_writes_nothing(self):
+        result = self.run_program(
+            "render", "scene.yaml", "--resolution", "4096x4096", "-o", "out.exr",
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (TOO_LITTLE, TOO_LITTLE)))
+        self.assertEqual(result.returncode, 4, result.stderr)
+        self.assertRegex(result.stderr, "memory")
+        self.assertEqual(sorted(os.listdir(self.folder)), ["scene.yaml"])

@@ -1,0 +1,56 @@
+"""Watches the memory of a long render: PROGRAM SCENE SECONDS. Fails where it grows after the first minute.
+
+A shorter run counts from its first quarter on. What is resident is looked at every half second; a hundredth and 1 MiB
+more than at the start of what counts is let pass.
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import time
+
+
+def resident(process):
+    """[KiB]; None: it has ended."""
+    try:
+        found = re.search(r"VmRSS:\s+(\d+) kB", pathlib.Path(f"/proc/{process.pid}/status").read_text())
+    except FileNotFoundError:
+        return None
+    return int(found[1]) if found else None
+
+
+def watch(program, scene, seconds):
+    """What was resident [KiB], and when [s]."""
+    seen = []
+    with tempfile.TemporaryDirectory() as folder:
+        process = subprocess.Popen([program, "render", scene, "--quiet", "--resolution", "128x128", "--passes", "100000000",
+                                    "--time", str(seconds), "--checkpoint", "kept", "--checkpoint-every", "20"],
+                                   cwd=folder)
+        begin = time.monotonic()
+        while process.poll() is None:
+            size = resident(process)
+            if size is not None:
+                seen.append((time.monotonic() - begin, size))
+            time.sleep(0.5)
+        if process.returncode != 0:
+            sys.exit(f"leak.py: hyalite ended with exit code {process.returncode}")
+    return [(when, size) for when, size in seen if when < seconds]  # after that pictures are made
+
+
+def main():
+    program, scene = (pathlib.Path(path).resolve() for path in sys.argv[1:3])
+    seconds = float(sys.argv[3])
+    seen = watch(program, scene, seconds)
+    start = min(60.0, seconds / 4)
+    counted = [size for when, size in seen if when >= start]
+    first, last, most = counted[0], counted[-1], max(counted)
+    print(f"{seconds:.0f} s: {first / 1024:.1f} MiB resident after {start:.0f} s, {last / 1024:.1f} MiB at the end, "
+          f"{most / 1024:.1f} MiB at most")
+    if most > 1.01 * first + 1024:
+        sys.exit("leak.py: it grows")
+
+
+if __name__ == "__main__":
+    main()
