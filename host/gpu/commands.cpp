@@ -7,6 +7,7 @@
 #include "shaders/shared/limits.h"
 
 #include <algorithm>
+#include <bit>
 #include <set>
 
 namespace hyalite::gpu {
@@ -204,7 +205,7 @@ void Commands::run(const Kernel& kernel, std::span<const std::byte> arguments, s
         impl_->tables.describeBuffers();
     }
     if (impl_->observer == nullptr) {
-        record(kernel, arguments, {.first = 0, .end = groups});
+        record(kernel, arguments, {.first = 0, .end = groups, .threads = threads});
         if constexpr (kCheckedKernels) {
             finish();
             if (const std::string what = impl_->tables.indexOutside(implementation.sources); !what.empty()) {
@@ -216,13 +217,15 @@ void Commands::run(const Kernel& kernel, std::span<const std::byte> arguments, s
     const Dispatch dispatch{kernel, arguments, threads};
     finish();
     impl_->observer->before(dispatch);
-    const std::uint32_t piece = std::max(1U, impl_->observer->threadsOfPiece() / shared::kGroupSize);
+    // lib/thread.glsl counts on it that a piece which does not begin a row begins after as many groups as it has
+    const std::uint32_t wanted = std::max(1U, impl_->observer->threadsOfPiece() / shared::kGroupSize);
+    const std::uint32_t piece = std::min(std::bit_floor(wanted), kGroupsPerPiece);
     for (std::uint32_t first = 0; first < groups;) {
         if (first > 0) {
             impl_->observer->between();
         }
         const std::uint32_t end = groups - first > piece ? first + piece : groups;
-        record(kernel, arguments, {.first = first, .end = end});
+        record(kernel, arguments, {.first = first, .end = end, .threads = threads});
         finish();
         first = end;
     }
@@ -232,7 +235,9 @@ void Commands::run(const Kernel& kernel, std::span<const std::byte> arguments, s
 void Commands::record(const Kernel& kernel, std::span<const std::byte> arguments, const Groups& groups) {
     const Kernel::Impl& implementation = kernel.impl();
     checked("recording kernel '" + kernel.name() + '\'', [&] {
-        const std::uint64_t threads = std::uint64_t(groups.end - groups.first) * shared::kGroupSize;
+        const std::uint64_t end = std::uint64_t(groups.end) * shared::kGroupSize;
+        const std::uint64_t threads =
+            std::min<std::uint64_t>(end, groups.threads) - std::uint64_t(groups.first) * shared::kGroupSize;
         impl_->record({.name = kernel.name(), .dispatches = groups.first == 0 ? 1U : 0U, .threads = threads}, [&] {
             const auto stage = vk::ShaderStageFlagBits::eCompute;
             for (std::uint32_t at = groups.first; at < groups.end;) {

@@ -49,7 +49,8 @@ private:
     void run(const Kernel& kernel, std::span<const std::byte> arguments, std::uint32_t threads);
     struct Groups {
         std::uint32_t first = 0;
-        std::uint32_t end = 0; // > first
+        std::uint32_t end = 0;     // > first
+        std::uint32_t threads = 0; // of the kernel, in all groups: the last may not be full
     };
     void record(const Kernel& kernel, std::span<const std::byte> arguments, const Groups& groups);
 

@@ -113,7 +113,6 @@ void open(Context::Impl& impl, const ContextOptions& options) {
     std::transform(physicals.begin(), physicals.end(), std::back_inserter(devices), describe);
     const std::size_t chosen = chooseDevice(devices, options.device);
     impl.info = devices[chosen];
-    impl.index = chosen;
     impl.physical = std::move(physicals[chosen]);
     impl.queueFamily = computeQueueFamily(impl.physical);
     impl.workers = impl.info.software ? lavapipeThreads() : 1;

@@ -24,7 +24,6 @@ struct ListedBuffer {
 struct Context::Impl {
     ValidationLog log;
     DeviceInfo info;
-    std::size_t index = 0; // of the device, in the loader's list
     std::unique_ptr<vk::raii::Context> loader;
     vk::raii::Instance instance = nullptr;
     vk::raii::DebugUtilsMessengerEXT messenger = nullptr;

@@ -3,7 +3,6 @@
 
 #include "gpu/buffer_impl.h"
 #include "gpu/checked_kernels.h"
-#include "gpu/commands.h"
 #include "shaders/shared/limits.h"
 
 namespace hyalite::gpu {
@@ -61,52 +60,10 @@ vk::raii::Pipeline makePipeline(const vk::raii::Device& device, vk::PipelineLayo
                 .flags = vk::PipelineCreateFlagBits::eDispatchBase, .stage = stage, .layout = layout}};
 }
 
-// `kernel` with its name and interface only gets the rest.
-void finishKernel(Kernel::Impl& kernel, const Context::Impl& context, const TexelTables::Impl& tables,
-                  const SpirV& specialized) {
-    checked("making kernel '" + kernel.name + '\'', [&] {
-        const vk::DescriptorSetLayout setLayout = *tables.layout;
-        const vk::PushConstantRange range{.stageFlags = vk::ShaderStageFlagBits::eCompute,
-                                          .size = (kernel.interface.pushConstantBytes + 3U) & ~3U};
-        kernel.layout = {context.device, vk::PipelineLayoutCreateInfo{.setLayoutCount = 1,
-                                                                      .pSetLayouts = &setLayout,
-                                                                      .pushConstantRangeCount = 1,
-                                                                      .pPushConstantRanges = &range}};
-        kernel.pipeline = makePipeline(context.device, *kernel.layout, specialized);
-        const auto handle = reinterpret_cast<std::uint64_t>(static_cast<VkPipeline>(*kernel.pipeline));
-        context.nameObject(vk::ObjectType::ePipeline, handle, kernel.name);
-    });
-}
-
-} // namespace
-
-void Kernel::compileAhead(const Context::Impl& context, std::size_t bindings, const Impl& kernel,
-                          const SpirV& specialized) {
-    constexpr std::size_t kSmallest = 2048; // words: a shorter kernel compiles faster than a device opens
-    if (!context.info.software || specialized.size() < kSmallest) {
-        return;
-    }
-    try {
-        const Context own({.device = std::to_string(context.index), .validation = false, .onValidationMessage = {}});
-        const TexelTables tables(own, std::uint32_t(bindings));
-        auto copy = std::make_shared<Impl>();
-        copy->name = kernel.name;
-        copy->interface = kernel.interface;
-        finishKernel(*copy, own.impl(), tables.impl(), specialized);
-        Commands commands(own, tables);
-        std::promise<Made> made;
-        made.set_value(std::move(copy));
-        const Kernel ahead(made.get_future().share());
-        commands.prepare(ahead);
-        commands.finish();
-    } catch (const Error&) { // whoever runs the kernel meets it again
-    }
-}
-
-std::shared_ptr<const Kernel::Impl> Kernel::make(const Context::Impl& context, const TexelTables::Impl& tables,
-                                                 const ShaderCompiler& compiler, const std::string& name,
-                                                 const Specialization& specialization, bool ahead) {
-    auto kernel = std::make_shared<Impl>();
+std::shared_ptr<const Kernel::Impl> make(const Context::Impl& context, const TexelTables::Impl& tables,
+                                         const ShaderCompiler& compiler, const std::string& name,
+                                         const Specialization& specialization) {
+    auto kernel = std::make_shared<Kernel::Impl>();
     kernel->name = name;
     const SpirV spirv = compiler.compile(name);
     kernel->interface = reflect(spirv);
@@ -116,19 +73,29 @@ std::shared_ptr<const Kernel::Impl> Kernel::make(const Context::Impl& context, c
     }
     const std::filesystem::path source = compiler.shaders() / "kernels" / (name + ".comp");
     checkInterface(*kernel, context, tables.views.size(), {.file = source.string()});
-    const SpecializedKernel specialized =
+    const SpirV specialized =
         compiler.specialized(name, spirv, select(specialization, kernel->interface, context.workers));
-    if (ahead && specialized.isNew) {
-        compileAhead(context, tables.views.size(), *kernel, specialized.spirv);
-    }
-    finishKernel(*kernel, context, tables, specialized.spirv);
+    checked("making kernel '" + kernel->name + '\'', [&] {
+        const vk::DescriptorSetLayout setLayout = *tables.layout;
+        const vk::PushConstantRange range{.stageFlags = vk::ShaderStageFlagBits::eCompute,
+                                          .size = (kernel->interface.pushConstantBytes + 3U) & ~3U};
+        kernel->layout = {context.device, vk::PipelineLayoutCreateInfo{.setLayoutCount = 1,
+                                                                       .pSetLayouts = &setLayout,
+                                                                       .pushConstantRangeCount = 1,
+                                                                       .pPushConstantRanges = &range}};
+        kernel->pipeline = makePipeline(context.device, *kernel->layout, specialized);
+        const auto handle = reinterpret_cast<std::uint64_t>(static_cast<VkPipeline>(*kernel->pipeline));
+        context.nameObject(vk::ObjectType::ePipeline, handle, kernel->name);
+    });
     return kernel;
 }
+
+} // namespace
 
 Kernel::Kernel(const Context& context, const TexelTables& tables, const ShaderCompiler& compiler, std::string name,
                const Specialization& specialization) {
     std::promise<Made> made;
-    made.set_value(make(context.impl(), tables.impl(), compiler, name, specialization, false));
+    made.set_value(make(context.impl(), tables.impl(), compiler, name, specialization));
     impl_ = made.get_future().share();
 }
 
@@ -136,7 +103,7 @@ Kernel Kernel::inBackground(const Context& context, const TexelTables& tables, c
                             std::string name, const Specialization& specialization) {
     return Kernel(std::async(std::launch::async, [&context = context.impl(), &tables = tables.impl(), &compiler,
                                                   name = std::move(name), specialization] {
-                      return make(context, tables, compiler, name, specialization, true);
+                      return make(context, tables, compiler, name, specialization);
                   }).share());
 }
 

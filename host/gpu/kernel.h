@@ -58,13 +58,6 @@ private:
     using Made = std::shared_ptr<const Impl>;
     explicit Kernel(std::shared_future<Made> impl) : impl_(std::move(impl)) {}
 
-    static Made make(const Context::Impl& context, const TexelTables::Impl& tables, const ShaderCompiler& compiler,
-                     const std::string& name, const Specialization& specialization, bool ahead);
-    // Has a driver that compiles at the first dispatch, in the one thread of a device's queue, do it now in this
-    // thread, on a device of its own, for the driver's cache.
-    static void compileAhead(const Context::Impl& context, std::size_t bindings, const Impl& kernel,
-                             const SpirV& specialized);
-
     std::shared_future<Made> impl_;
 };
 

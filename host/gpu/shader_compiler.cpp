@@ -193,8 +193,8 @@ SpirV ShaderCompiler::compile(const std::string& kernel) const {
     return spirv;
 }
 
-SpecializedKernel ShaderCompiler::specialized(const std::string& kernel, const SpirV& spirv,
-                                              const std::map<std::uint32_t, std::uint32_t>& constants) const {
+SpirV ShaderCompiler::specialized(const std::string& kernel, const SpirV& spirv,
+                                  const std::map<std::uint32_t, std::uint32_t>& constants) const {
     std::string key = std::string(kCacheFormat) + '\n';
     for (const auto& [id, value] : constants) {
         key += std::to_string(id) + ' ' + std::to_string(value) + '\n';
@@ -203,10 +203,10 @@ SpecializedKernel ShaderCompiler::specialized(const std::string& kernel, const S
     const std::string name = kernel + "-specialized-" + SpirvCache::key(key);
     const SpirvCache cache(cache_);
     if (std::optional<SpirV> cached = cache.load(name)) {
-        return {.spirv = *std::move(cached), .isNew = false};
+        return *std::move(cached);
     }
-    SpecializedKernel result{.spirv = specialize(spirv, constants), .isNew = true};
-    cache.store(name, result.spirv);
+    SpirV result = specialize(spirv, constants);
+    cache.store(name, result);
     return result;
 }
 

@@ -12,12 +12,6 @@ namespace hyalite::gpu {
 
 using SpirV = std::vector<std::uint32_t>;
 
-// A kernel with values in place of its specialization constants.
-struct SpecializedKernel {
-    SpirV spirv;
-    bool isNew = false; // it was not in the cache
-};
-
 class ShaderCompiler {
 public:
     // `shaders`: the folder that holds kernels/, lib/ and shared/. `cache`: where compiled kernels are kept, named by
@@ -41,9 +35,9 @@ public:
     [[nodiscard]] std::string nameInCache(const std::string& kernel) const;
     [[nodiscard]] std::optional<SpirV> fromCache(const std::string& nameInCache) const;
 
-    // What compile(kernel) gave, with values for its specialization constants, by id.
-    [[nodiscard]] SpecializedKernel specialized(const std::string& kernel, const SpirV& spirv,
-                                                const std::map<std::uint32_t, std::uint32_t>& constants) const;
+    // What compile(kernel) gave, with values for its specialization constants, by id; kept in the cache, too.
+    [[nodiscard]] SpirV specialized(const std::string& kernel, const SpirV& spirv,
+                                    const std::map<std::uint32_t, std::uint32_t>& constants) const;
 
     // A number that changes with any source below the shaders folder.
     [[nodiscard]] std::uint64_t hashOfSources() const;

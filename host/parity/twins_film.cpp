@@ -157,13 +157,18 @@ void compareAddGatheredLight(const Stage& stage) {
     }
 }
 
+// What the film adds of a colour: whole steps of 2^-44, rounded half up.
+dvec3 inSteps(const dvec3& color) {
+    return glm::floor(color * 0x1p44 + 0.5) * 0x1p-44;
+}
+
 void compareAccumulateFilm(const Stage& stage) {
     const auto args = stage.seen.arguments<shared::AccumulateFilmArguments>();
     const auto colors = stage.seen.before<glm::vec3>(args.colors, args.count);
     const auto before = stage.seen.before<shared::FilmColor>(args.film, args.count);
     const auto after = stage.seen.after<shared::FilmColor>(args.film, args.count);
     for (std::size_t i = 0; i < args.count; ++i) {
-        compareColor(stage, i, glm::vec3(filmColor(after[i])), filmColor(before[i]) + dvec3(colors[i]));
+        compareColor(stage, i, glm::vec3(filmColor(after[i])), filmColor(before[i]) + inSteps(dvec3(colors[i])));
     }
 }
 

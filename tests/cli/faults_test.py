@@ -8,8 +8,8 @@ import time
 
 from program import OUTPUT, SCENE, CliTest, command_line, default_environment
 
-# What a small render needs of address space, with the driver and its compiler, and what it does not get [bytes]
-TOO_LITTLE = 400 << 20
+# Address space for driver and compiler, but not for the 10 GB that 4096 x 4096 pixels take [bytes]
+TOO_LITTLE = 4 << 30
 
 
 class Faults(CliTest):
@@ -27,19 +27,15 @@ class Faults(CliTest):
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
             resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
 
-        self.write("out.exr", "the old one")
-        cache = self.folder / "no cache" / "can be written"  # compiled kernels are larger, too
-        (self.folder / "no cache").mkdir()
-        result = self.render(cache, "out.exr", preexec_fn=limit)
-        self.assertEqual(result.returncode, 0, result.stderr)  # 8 x 8 pixels fit
         self.write("scene.yaml", SCENE.replace("resolution: [8, 8]", "resolution: [64, 64]"))
         self.write("out.exr", "the old one")
-        before = sorted(path for path in self.contents() if not path.startswith("no cache"))
-        result = self.render(cache, "out.exr", preexec_fn=limit)
+        before = self.contents()
+        # The driver maps its cache into memory, and is killed where the disk has no room for that
+        result = self.run_program("render", "scene.yaml", "--quiet", "-o", "out.exr",
+                                  environment={"MESA_SHADER_CACHE_DISABLE": "true"}, preexec_fn=limit)
         self.assertEqual(result.returncode, OUTPUT, result.stderr)
         self.assertIn("larger than the system allows", result.stderr)
-        self.assertEqual((self.folder / "out.exr").read_text(), "the old one")
-        self.assertEqual(sorted(path for path in self.contents() if not path.startswith("no cache")), before)
+        self.assertEqual(self.contents(), before)
 
     def test_a_folder_that_goes_away_during_a_render_is_an_error_that_names_it(self):
         (self.folder / "pictures").mkdir()

@@ -109,24 +109,24 @@ TEST_CASE("a dispatch in pieces is the whole of it, and can be given up between 
             }
         }
     };
-    // A piece is the largest multiple of the group's 64 threads that is no more: 15 groups, 960 threads. 10 000 threads
-    // are 157 groups: ten whole pieces and 7 groups.
+    // A piece is the largest power of two of groups of 64 threads that is no more: 8 groups, 512 threads. 10 000
+    // threads are 157 groups: 19 whole pieces and 5 groups.
     const Kernel kernel = valuesKernel("count_pieces", kCount);
     const Array<std::uint32_t> values = zeros(10'000);
     Observer observer;
     Commands commands(Gpu::shared().context(), Gpu::shared().tables());
     commands.observe(&observer);
     commands.run(kernel, ValuesArguments{values.buffer().address(), 10'000}, 10'000);
-    CHECK(observer.pieces == 11);
+    CHECK(observer.pieces == 20);
     CHECK(values.read() == std::vector<std::uint32_t>(10'000, 1));
 
     observer.pieces = 1;
     observer.most = 2;
     CHECK_THROWS_WITH(commands.run(kernel, ValuesArguments{values.buffer().address(), 10'000}, 10'000), "enough");
     const std::vector<std::uint32_t> twice = values.read();
-    CHECK(std::count(twice.begin(), twice.end(), 2U) == 2 * 960);
-    CHECK(twice[2 * 960 - 1] == 2);
-    CHECK(twice[2 * 960] == 1);
+    CHECK(std::count(twice.begin(), twice.end(), 2U) == 2 * 512);
+    CHECK(twice[2 * 512 - 1] == 2);
+    CHECK(twice[2 * 512] == 1);
 }
 
 TEST_CASE("a kernel sees all that the ones before it wrote", "[commands]") {

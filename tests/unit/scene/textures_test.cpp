@@ -264,7 +264,8 @@ TEST_CASE("a material in GLSL is read with its parameters and its roughness") {
     const auto scene = folder.write(
         "scene.yaml",
         "hyalite: 1\nmaterials: {m: {type: custom, file: film.glsl, parameters: [3, 2], roughness: 0.4}}\n" +
-            std::string("objects: [{shape: {type: sphere, radius: 1}, material: m}]\n"));
+            std::string("lights: [{type: point, position: [0, 3, 0]}]\n"
+                        "objects: [{shape: {type: sphere, radius: 1}, material: m}]\n"));
     const auto model = std::get<CustomReflectance>(loadScene(scene).materials.at(0).model);
     CHECK(model.code->function == "film");
     CHECK(model.parameters == glm::dvec4(3, 2, 0, 0));
