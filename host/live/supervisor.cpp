@@ -63,6 +63,7 @@ void Supervisor::run() {
                 if (shaderWatch_.hasChanged() || sceneWatch_.hasChanged()) {
                     isWanted_ = true;
                     failures_ = 0;
+                    ++changes_;
                 }
             }
             if (isClosing_) {
@@ -86,9 +87,10 @@ void Supervisor::runWorker() {
         worker_ = &worker;
         workerIsGone_ = false;
         running_.clear();
+        restsAfter_.reset();
         worker.channel().send(
             {{"kind", "start"}, {"scene", options_.scene.string()}, {"good", versions_.good}, {"bad", versions_.bad}});
-        worker.channel().send(lookMessage());
+        tellChange(lookMessage());
     }
     std::thread reader([&] {
         while (std::optional<Message> message = worker.channel().receive()) {
@@ -130,10 +132,10 @@ void Supervisor::watch(WorkerProcess& worker) {
             reloadedAt_ = watchedAt;
         }
         if (shaders) {
-            worker.channel().send({{"kind", "sources"}});
+            tellChange({{"kind", "sources"}});
         }
         if (scene) {
-            worker.channel().send({{"kind", "scene"}});
+            tellChange({{"kind", "scene"}});
         }
     }
     if (isClosing_) {
@@ -196,6 +198,14 @@ void Supervisor::hasEnded(const std::string& how, const std::optional<Pulse::Wor
     note(line + (isWanted_ ? "; a new worker takes over" : "; it has ended too often: change something to try again"));
 }
 
+void Supervisor::tellChange(Json message) {
+    ++changes_;
+    if (worker_ != nullptr) {
+        message["change"] = changes_;
+        worker_->channel().send(message);
+    }
+}
+
 Json Supervisor::lookMessage() const {
     return {{"kind", "look"}, {"revision", revision_}, {"settings", settings_}, {"shown", shown_}, {"pixel", pixel_}};
 }
@@ -236,6 +246,8 @@ void Supervisor::handle(Message message) {
         while (prints_.size() > kMostPrints) {
             prints_.pop_front();
         }
+    } else if (kind == "rest") {
+        restsAfter_ = message.body.at("change").get<std::uint64_t>();
     } else if (kind == "path" && message.body.value("request", 0) == inspections_) {
         path_ = std::move(message.body);
     }
@@ -303,6 +315,8 @@ Json Supervisor::state(std::uint64_t seen, std::chrono::milliseconds patience) {
             {"notes", notes_},
             {"first_pixel_seconds", firstPixelSeconds_},
             {"reload_seconds", reloadSeconds_},
+            {"changes", changes_},
+            {"busy", isWanted_ && restsAfter_ != changes_},
             {"closing", isClosing_}};
 }
 
@@ -319,10 +333,8 @@ void Supervisor::change(const Json& wanted) {
     const std::scoped_lock lock(mutex_);
     if (wanted.size() == 1 && wanted.contains("pixel") && wanted["pixel"].is_number_unsigned()) {
         pixel_ = wanted["pixel"].get<std::uint32_t>();
-        if (worker_ != nullptr) { // a picture that does not depend on it goes on
-            worker_->channel().send(
-                {{"kind", "pixel"}, {"pixel", pixel_}, {"matters", files_.anyShaderHas("debugPixel(")}});
-        }
+        // A picture that does not depend on it goes on
+        tellChange({{"kind", "pixel"}, {"pixel", pixel_}, {"matters", files_.anyShaderHas("debugPixel(")}});
         return;
     }
     auto settings = wanted.value("reset", false) ? options_.settings : settings_;
@@ -352,9 +364,7 @@ void Supervisor::change(const Json& wanted) {
     revisedAt_ = Clock::now();
     failures_ = 0;
     isWanted_ = true;
-    if (worker_ != nullptr) {
-        worker_->channel().send(lookMessage());
-    }
+    tellChange(lookMessage());
     touch();
 }
 

@@ -71,6 +71,8 @@ private:
     void hasEnded(const std::string& how, const std::optional<Pulse::Work>& work, bool tookTooLong);
     void handle(Message message);
     void takePicture(Message message);
+    // To the worker that runs, if one does: something it has to do with, and to say so.
+    void tellChange(Json message);
     [[nodiscard]] Json lookMessage() const;
     [[nodiscard]] std::set<std::string> unproven() const;
     void note(const std::string& line);
@@ -86,6 +88,8 @@ private:
     bool workerIsGone_ = false;
     int failures_ = 0;     // workers in a row that ended without a picture
     bool isWanted_ = true; // start another worker
+    std::uint64_t changes_ = 0; // of files, settings and what is shown, since the start
+    std::optional<std::uint64_t> restsAfter_; // changes, all of which the worker has done with
 
     std::map<std::string, std::string> settings_;
     std::string shown_ = "picture";

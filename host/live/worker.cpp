@@ -1,9 +1,8 @@
 // What the two processes say to one another, by "kind":
-//   server: start {scene, good, bad}   look {revision, settings, shown, pixel}   sources   scene   pixel {pixel,
-//   matters}
-//           inspect {request, x, y}
+//   server: start {scene, good, bad}   look {revision, settings, shown, pixel}   sources   scene
+//           pixel {pixel, matters}   inspect {request, x, y}; with all but start and inspect: {change}, a count
 //   worker: compiled {kernel, version}   good {versions}   scene {…}   errors {list}   prints {…}
-//           picture {…} + floats   path {request, …}
+//           picture {…} + floats   path {request, …}   rest {change}: nothing to do after it
 #include "live/worker.h"
 
 #include "base/parallel.h"
@@ -88,7 +87,7 @@ public:
 
     [[noreturn]] void run() {
         while (true) {
-            while (std::optional<Message> message = inbox_.take(/*wait*/ !hasWork())) {
+            while (std::optional<Message> message = nextMessage()) {
                 handle(*message);
             }
             try {
@@ -105,8 +104,24 @@ private:
 
     [[nodiscard]] bool hasWork() const { return state_ == State::Fresh || state_ == State::Refining || inspect_; }
 
+    // Waits for one where there is nothing to do, and says up to which change all is done.
+    std::optional<Message> nextMessage() {
+        if (std::optional<Message> message = inbox_.take(/*wait*/ false)) {
+            return message;
+        }
+        if (hasWork()) {
+            return std::nullopt;
+        }
+        if (restsAfter_ != change_) {
+            restsAfter_ = change_;
+            channel_.send({{"kind", "rest"}, {"change", change_}});
+        }
+        return inbox_.take(/*wait*/ true);
+    }
+
     void handle(const Message& message) {
         const std::string kind = message.kind();
+        change_ = message.body.value("change", change_);
         if (kind == "look") {
             look(message.body);
         } else if (kind == "sources") {
@@ -349,6 +364,8 @@ private:
     LiveRenderer renderer_;
     State state_ = State::Stuck;
     std::uint32_t revision_ = 0;
+    std::uint64_t change_ = 0; // the last one that a message told of
+    std::optional<std::uint64_t> restsAfter_;
     View asked_;
     std::optional<Json> inspect_;
     std::optional<Error> sceneError_;

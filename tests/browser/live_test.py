@@ -45,10 +45,9 @@ class Live(unittest.TestCase):
 
         def restore():
             if path.read_text() != text:
+                changes = self.server.state()["changes"]
                 path.write_text(text)
-                time.sleep(0.5)  # until the server has seen it
-                self.server.wait_for(lambda state: not state["errors"])
-                self.server.wait_for_picture(passes=PASSES)
+                self.server.wait_for(lambda state: state["changes"] > changes and not state["busy"] and not state["errors"])
         self.addCleanup(restore)
         return path
 
@@ -68,7 +67,9 @@ class Page(Live):
         cls.browser.get(cls.server.url)
 
     def setUp(self):
-        self.wait(lambda: self.canvas().get_attribute("data-id"))
+        # What the last test put back may have been drawn by the server and not by the page
+        state = self.server.wait_for(lambda state: not state["busy"])
+        self.wait(lambda: self.number("id") == state["picture"]["id"])
 
     def tearDown(self):
         self.assertEqual(console_complaints(self.browser), [])
