@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace hyalite::reference {
@@ -53,6 +54,38 @@ double areaOf(const Disk& disk) {
 }
 double areaOf(const Sphere& sphere) {
     return 4 * pi * sphere.radius * sphere.radius;
+}
+
+// Where the line from the origin meets the plane of the shape, in its edges (axes); none: it never sees the front.
+std::optional<glm::dvec2> placeOnFront(const glm::dvec3& corner, const glm::dvec3& edge0, const glm::dvec3& edge1,
+                                       const glm::dvec3& origin, const glm::dvec3& direction) {
+    const double volume = glm::dot(glm::cross(edge0, edge1), direction);
+    if (volume >= 0) {
+        return std::nullopt;
+    }
+    // Cramer's rule for corner + u edge0 + v edge1 - t direction = origin
+    const glm::dvec3 from = origin - corner;
+    if (glm::dot(glm::cross(edge0, edge1), from) <= 0) {
+        return std::nullopt;
+    }
+    return glm::dvec2(glm::dot(glm::cross(from, edge1), direction), glm::dot(glm::cross(edge0, from), direction)) /
+           volume;
+}
+
+bool looksAt(const Quad& quad, const glm::dvec3& origin, const glm::dvec3& direction) {
+    const auto at = placeOnFront(quad.corner, quad.edge0, quad.edge1, origin, direction);
+    return at && at->x >= 0 && at->x <= 1 && at->y >= 0 && at->y <= 1;
+}
+bool looksAt(const Disk& disk, const glm::dvec3& origin, const glm::dvec3& direction) {
+    const auto at = placeOnFront(disk.center, disk.axis0, disk.axis1, origin, direction);
+    return at && glm::dot(*at, *at) <= 1;
+}
+bool looksAt(const Sphere& sphere, const glm::dvec3& origin, const glm::dvec3& direction) {
+    const glm::dvec3 toCenter = sphere.center - origin;
+    return glm::dot(toCenter, direction) > 0 && glm::length(glm::cross(toCenter, direction)) <= sphere.radius;
+}
+bool looksAt(const EmittingMesh&, const glm::dvec3&, const glm::dvec3&) {
+    return false;
 }
 
 AreaLight meshLight(const Scene& scene, const MeshInstance& instance, const Object& object) {
@@ -128,6 +161,10 @@ LightPoint pointFacing(const AreaLight& light, const glm::dvec3& receiver, glm::
 
 double areaFacing(const AreaLight& light) {
     return std::holds_alternative<Sphere>(light.shape) ? light.area / 2 : light.area;
+}
+
+bool looksAt(const AreaLight& light, const glm::dvec3& origin, const glm::dvec3& direction) {
+    return std::visit([&](const auto& shape) { return looksAt(shape, origin, direction); }, light.shape);
 }
 
 } // namespace hyalite::reference

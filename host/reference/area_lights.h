@@ -46,4 +46,7 @@ struct LightPoint {
 [[nodiscard]] LightPoint pointFacing(const AreaLight& light, const glm::dvec3& receiver, glm::dvec2 uv);
 [[nodiscard]] double areaFacing(const AreaLight& light);
 
+// Does a ray that nothing stops see the front of a quad, a disk or a sphere? Never that of a mesh.
+[[nodiscard]] bool looksAt(const AreaLight& light, const glm::dvec3& origin, const glm::dvec3& direction);
+
 } // namespace hyalite::reference

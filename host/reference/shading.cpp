@@ -8,6 +8,7 @@
 #include "reference/sampling.h"
 #include "reference/texture.h"
 #include "scene/render_seed.h"
+#include "shaders/shared/limits.h"
 
 #include <algorithm>
 #include <numbers>
@@ -37,6 +38,44 @@ std::array<std::optional<NextRay>, 2> splitAtDielectric(const Surface& surface, 
                          path, shared::deriveSequence(path.samplerSeed, 2));
     }
     return next;
+}
+
+// With which probability a path takes the reflection at smooth glass: Fresnel's, but kShareToLight at least for the one
+// way that leads to a lamp; out of a parallel face, where the way goes on inside.
+double reflectionProbability(const World& world, const Surface& surface, const glm::dvec3& direction, double eta,
+                             double F) {
+    if (F == 0 || F == 1 || world.lights.size() > shared::kMostLightsSought) {
+        return F;
+    }
+    const auto leadsToLamp = [&](const std::optional<glm::dvec3>& way) {
+        return way && std::ranges::any_of(world.lights, [&](const Light& light) {
+                   const auto* lamp = std::get_if<AreaLight>(&light.shape);
+                   return lamp != nullptr && looksAt(*lamp, surface.position, *way);
+               });
+    };
+    const glm::dvec3 reflection = reflect(direction, surface.normal);
+    const bool reflects = leadsToLamp(surface.front ? reflection : refract(reflection, -surface.normal, eta));
+    const bool refracts = leadsToLamp(surface.front ? direction : refract(direction, surface.normal, eta));
+    if (reflects == refracts) {
+        return F;
+    }
+    return reflects ? std::max(F, double{shared::kShareToLight}) : std::min(F, 1 - double{shared::kShareToLight});
+}
+
+// One way of a camera path at smooth glass, weighted by what its probability is not.
+NextRay pickAtDielectric(const World& world, const Surface& surface, const glm::dvec3& direction, double eta,
+                         const CameraPath& path, double choice) {
+    const double F = fresnelDielectric(incidentCosine(direction, surface.normal), eta);
+    const double probability = reflectionProbability(world, surface, direction, eta, F);
+    if (choice < probability) {
+        return follow(surface, {.direction = reflect(direction, surface.normal), .weight = glm::dvec3(F / probability)},
+                      path, path.samplerSeed);
+    }
+    return follow(surface,
+                  {.direction = refract(direction, surface.normal, eta).value(),
+                   .weight = glm::dvec3((1 - F) / (1 - probability) * eta * eta),
+                   .through = true},
+                  path, path.samplerSeed);
 }
 
 void dropLightweights(std::array<std::optional<NextRay>, 2>& next, double minWeight) {
@@ -142,10 +181,12 @@ Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const C
     const std::uint32_t maxSegments = world.render.maxDepth + (whitted ? 1 : 0);
     if (lobe && depth < maxSegments && (both || choice < probability)) {
         onward.beta = path.beta / (both ? 1 : probability);
-        if (whitted && lobe->alpha == 0 && std::holds_alternative<Dielectric>(lobe->model)) {
+        if (lobe->alpha > 0 || !std::holds_alternative<Dielectric>(lobe->model)) {
+            leaveByLobe(shading, surface, ray, *lobe, onward, depth, pass, choice);
+        } else if (whitted) {
             shading.next = splitAtDielectric(surface, ray.direction, lobe->eta, path);
         } else {
-            leaveByLobe(shading, surface, ray, *lobe, onward, depth, pass, choice);
+            shading.next[0] = pickAtDielectric(world, surface, ray.direction, lobe->eta, path, choice);
         }
     }
     if (whitted) {

@@ -37,9 +37,10 @@ struct Shading {
 // Of a path whose ray hits nothing: it sees the environment.
 [[nodiscard]] Shading shadeMiss(const World& world, const Ray& ray, const CameraPath& path);
 
-// `depth` counts the segments from the camera to the hit. At smooth glass, ppm follows one of reflection and refraction
-// (picked with the Fresnel reflectance), whitted both, weighted, unless their throughput is below render.minWeight.
-// Likewise, where a surface has a diffuse part and a lobe: one or both.
+// `depth` counts the segments from the camera to the hit. At smooth glass whitted follows both ways, weighted, unless
+// their throughput is below render.minWeight; the others one, picked with the Fresnel reflectance, or with
+// kShareToLight at least for the one way that leads to a lamp. Likewise, where a surface has a diffuse part
+// and a lobe: one or both.
 [[nodiscard]] Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const CameraPath& path,
                                    std::uint32_t depth, std::uint32_t pass);
 

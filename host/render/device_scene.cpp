@@ -112,6 +112,7 @@ DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, c
     device.specialization["kFewObjects"] = areFew ? static_cast<std::uint32_t>(scene.objects.size()) : 0;
     device.specialization["kEndlessObjects"] = objects.endlessCount;
     device.specialization["kMaterialTypes"] = materials.types;
+    device.specialization["kLightsSought"] = device.lightCount <= shared::kMostLightsSought ? device.lightCount : 0;
     device.objectOf = std::move(objects.objectOf);
     device.leafOf = std::move(objects.leafOf);
     device.triangleOf = std::move(meshes.fileOrder);

@@ -62,6 +62,36 @@ void splitAtGlass(uint slot, Surface s, vec3 wo, Lobe lobe, CameraPath path) {
     }
 }
 
+// With which probability a path takes the reflection at smooth glass: as much as is reflected; but where one of the ways
+// leads to a light, that one gets no less than kShareToLight. A lamp that only 4 % of a pixel's paths see is else what is
+// noisy about glass. What goes on inside is followed out of a face that is parallel to this one, as a pane has it.
+float reflectionProbability(Interface glass, Surface s, vec3 wo, float cosOut) {
+    float F = glass.reflectance;
+    if (kLightsSought == 0u || F <= 0.0 || F >= 1.0) {
+        return F;
+    }
+    vec3 reflection = reflected(-wo, s.normal);
+    vec3 afterReflection = s.front ? reflection : refracted(reflection, -s.normal, cosOut, glass);
+    vec3 afterRefraction = s.front ? -wo : refracted(-wo, s.normal, cosOut, glass);
+    bool reflects = looksAtAny(args.lights, kLightsSought, s.position, afterReflection);
+    if (reflects == looksAtAny(args.lights, kLightsSought, s.position, afterRefraction)) {
+        return F;
+    }
+    return reflects ? max(F, kShareToLight) : min(F, 1.0 - kShareToLight);
+}
+
+void takeOneWay(uint slot, Surface s, vec3 wo, Lobe lobe, CameraPath path, float choice) {
+    float cosOut = clamp(dot(wo, s.normal), 0.0, 1.0);
+    Interface glass = meetInterface(cosOut, lobe.eta);
+    float probability = reflectionProbability(glass, s, wo, cosOut);
+    bool reflects = choice < probability;
+    BsdfSample next = sampleSmooth(lobe, s.normal, wo, reflects ? 0.0 : 1.0, true);
+    if (probability != glass.reflectance) {
+        next.weight *= reflects ? glass.reflectance / probability : (1.0 - glass.reflectance) / (1.0 - probability);
+    }
+    follow(slot, s, next, path, path.samplerSeed);
+}
+
 // Sends the path on; at a rough lobe the lights are to be sampled too. Its throughput has the lobe's probability
 // divided out.
 void leaveByLobe(uint slot, Surface s, vec3 wo, Lobe lobe, CameraPath path, float choice) {
@@ -82,13 +112,17 @@ void leaveByLobe(uint slot, Surface s, vec3 wo, Lobe lobe, CameraPath path, floa
 // Where the material has a diffuse part and a lobe, the path takes one of them, or with `split` both.
 void scatter(uint slot, Surface s, MaterialRecord material, vec3 wo, CameraPath path, inout VisiblePoint visible) {
     Lobe lobe = lobeOf(material, s.front);
-    if (isMaterial(material.type, kMaterialDielectric) && lobe.alpha == 0.0 && args.split != 0u) {
-        splitAtGlass(slot, s, wo, lobe, path);
+    float choice = sampleUnit(pathSampler(path.samplerSeed, args.pass), cameraScatter(args.depth - 1u)).x;
+    if (isMaterial(material.type, kMaterialDielectric) && lobe.alpha == 0.0) {
+        if (args.split != 0u) {
+            splitAtGlass(slot, s, wo, lobe, path);
+        } else {
+            takeOneWay(slot, s, wo, lobe, path, choice);
+        }
         return;
     }
     DiffusePart diffuse = diffusePart(material);
     float cosOut = clamp(dot(wo, s.normal), 0.0, 1.0);
-    float choice = sampleUnit(pathSampler(path.samplerSeed, args.pass), cameraScatter(args.depth - 1u)).x;
     float probability = lobeProbability(material, lobe, diffuse, cosOut);
     bool both = args.split != 0u && probability > 0.0 && probability < 1.0;
     if (both || choice >= probability) {

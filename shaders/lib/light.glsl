@@ -89,6 +89,33 @@ bool passesDisc(LightRecord light, vec3 point, vec3 direction) {
     return dot(offset, offset) <= light.radius * light.radius;
 }
 
+// Does a ray that nothing stops see the front of a quad, a disk or a sphere?
+bool looksAt(LightRecord light, vec3 origin, vec3 direction) {
+    vec3 toLight = light.position - origin;
+    if (light.type == kLightSphere) {
+        return dot(toLight, direction) > 0.0 && passesDisc(light, origin, direction);
+    }
+    float away = dot(light.normal, direction);
+    bool isFlat = light.type == kLightQuad || light.type == kLightDisk;
+    if (!isFlat || away >= 0.0 || dot(light.normal, toLight) >= 0.0) {
+        return false;
+    }
+    vec3 p = (dot(light.normal, toLight) / away) * direction - toLight; // = at.x edge0 + at.y edge1
+    vec3 across = cross(light.edge0, light.edge1);
+    vec2 at = vec2(dot(cross(p, light.edge1), across), dot(cross(light.edge0, p), across)) / dot(across, across);
+    return light.type == kLightQuad ? all(greaterThanEqual(at, vec2(0.0))) && all(lessThanEqual(at, vec2(1.0)))
+                                    : dot(at, at) <= 1.0;
+}
+
+bool looksAtAny(LightArray lights, uint count, vec3 origin, vec3 direction) {
+    for (uint i = 0u; i < count; ++i) {
+        if (looksAt(lights.at[i], origin, direction)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 // ---- From a receiver to the light
 
 // One direction from a receiver to a light.

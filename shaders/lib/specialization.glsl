@@ -18,6 +18,9 @@ layout(constant_id = 4) const uint kTextures = 1u;
 // 1: camera paths go on from diffuse surfaces, where lights were sampled for them. (5, 6: see nearest.glsl)
 layout(constant_id = 7) const uint kDiffuseBounces = 0u;
 
+// Lights of which glass looks whether a way leads to them: all of the table, or none where it is long.
+layout(constant_id = 8) const uint kLightsSought = 0u;
+
 bool sceneHas(uint shape) {
     return ((kShapeTypes >> shape) & 1u) != 0u;
 }

@@ -29,6 +29,10 @@ SHARED_CONSTANT kMaxDepth = 255u;
 // Lights whose visibility shadow photons may tell; the rest is asked by shadow rays.
 SHARED_CONSTANT kMostClassifiedLights = 16u;
 
+// Lights of a scene of which camera paths look whether a way out of smooth glass leads to them; none, where there are
+// more.
+SHARED_CONSTANT kMostLightsSought = 16u;
+
 // Marks "no object", "no light", "no material" in 32-bit indices.
 SHARED_CONSTANT kNone = 0xffffffffu;
 
@@ -36,6 +40,11 @@ SHARED_CONSTANT kNone = 0xffffffffu;
 // those between media whose indices differ by less than a thousandth, which refract by nothing.
 SHARED_FLOAT kSmoothAlpha = 1.0e-3F;
 SHARED_FLOAT kSmoothIndex = 1.0e-3F;
+
+// Share of a pixel's paths that take the one way at glass which leads to a light, at least. If that brings F L and the
+// other way T l, the scatter is least at F L / (F L + T l): more than a half for lamps of 25 times what is seen through
+// the glass; but the lamp may be hidden, and the highlight of a pane's back needs paths as well.
+SHARED_FLOAT kShareToLight = 0.5F;
 
 SHARED_END
 #endif

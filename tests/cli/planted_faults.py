@@ -23,6 +23,8 @@ FAULTS = [
      "front ? material.ior : 1.0 / material.ior", CAUSTICS, "shade_surface"),
     ("half of Fresnel's equations", "lib/dielectric.glsl", "0.5 * (s * s + p * p)", "s * s", "tests/mirror-and-glass.yaml",
      "shade_surface"),
+    ("choice for the lamp not made up for", "kernels/shade_surface.comp", "if (probability != glass.reflectance)",
+     "if (false)", "tests/lamp-in-glass.yaml", "shade_surface"),
     ("radiance not scaled by the squared indices", "lib/bsdf.glsl", "radiance ? lobe.eta * lobe.eta : 1.0", "1.0",
      CAUSTICS, "shade_surface"),
     ("2 pi for pi under the diffuse reflectance", "lib/math.glsl", "kInvPi = 0.318309886183791",

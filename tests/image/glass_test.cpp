@@ -55,6 +55,39 @@ TEST_CASE("a pane of glass at any angle, clear or tinted, transmits (1 - F)^2 a 
     }
 }
 
+TEST_CASE("a lamp in a pane of glass has the radiance F L, and no fewer than kShareToLight of the paths see it") {
+    // The camera at 30 degrees to the normal, a lamp of any shape where the mirror image of that way leads; nothing is
+    // behind the pane. A path that sees the lamp one time in two must bring 2 F L.
+    const double angle = pi / 6;
+    const double L = 7;
+    const double expected = fresnel(angle, 1.5) * L;
+    const dvec3 away(-std::sin(angle), 0, std::cos(angle));
+    const dvec3 side(std::cos(angle), 0, std::sin(angle));
+    const std::vector<Shape> lamps{Quad{2.0 * away - 0.5 * side - dvec3(0, 0.5, 0), {0, 1, 0}, side},
+                                   Disk{2.0 * away, {0, 0.7, 0}, 0.7 * side}, Sphere{2.0 * away, 0.7}};
+    const Integrator byChance[] = {Integrator::Ppm, Integrator::Path};
+    const std::vector<Renderer> renderers = renderersOf(byChance);
+    FalseAlarms alarms(lamps.size() * renderers.size());
+    for (const Shape& lamp : lamps) {
+        Scene scene =
+            reference::test::onePixel({3 * std::sin(angle), 0, 3 * std::cos(angle)}, {0, 0, 0}, Integrator::Ppm);
+        scene.camera.resolution = {32, 32};
+        scene.render.maxDepth = 2;
+        scene.render.passes = 1;
+        const std::size_t glass = reference::test::addMaterial(scene, Dielectric{1.5});
+        reference::test::addObject(scene, Quad{{-5, -5, 0}, {10, 0, 0}, {0, 10, 0}}, glass);
+        reference::test::addObject(scene, lamp, std::nullopt, dvec3(L));
+        for (const Renderer& renderer : renderers) {
+            INFO(renderer.name << ", lamp " << lamp.index());
+            CHECK(
+                judge(alarms, renderer, scene, everywhere(expected), Independent::Pixels, {.bias = 2e-4, .sees = 0.3}));
+            for (const double ratio : pixelRatios(renderBy(renderer, scene), everywhere(expected))) {
+                CHECK((ratio == 0 || std::abs(ratio - 2) < 1e-3));
+            }
+        }
+    }
+}
+
 namespace {
 
 // What both faces of a ball of glass (n = 1.5, radius 1) let through of a ray at the distance h from its axis, and how
