@@ -4,9 +4,9 @@
 #include "base/error.h"
 #include "base/fnv.h"
 
+#include <array>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <span>
@@ -34,10 +34,11 @@ inline std::string_view text(const std::uint8_t* data, std::size_t size) {
 
 // The bytes followed by their checksum, as in files that end with one: else no fuzzer would get past it.
 inline std::vector<std::byte> withChecksum(const std::uint8_t* data, std::size_t size) {
-    std::vector<std::byte> file(size + sizeof(std::uint64_t));
-    std::memcpy(file.data(), data, size);
-    const std::uint64_t checksum = fnv(std::span<const std::byte>(file).first(size));
-    std::memcpy(file.data() + size, &checksum, sizeof checksum);
+    const auto bytes = std::as_bytes(std::span(data, size));
+    std::vector<std::byte> file(bytes.begin(), bytes.end());
+    const std::array checksum{fnv(bytes)};
+    const auto end = std::as_bytes(std::span(checksum));
+    file.insert(file.end(), end.begin(), end.end());
     return file;
 }
 
