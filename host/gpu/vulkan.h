@@ -24,6 +24,9 @@ template <class Action>
 decltype(auto) checked(const std::string& what, Action&& action) {
     try {
         return std::invoke(std::forward<Action>(action));
+    } catch (const vk::DeviceLostError&) {
+        throw Error(ExitCode::Device, what + ": the device is lost",
+                    "its driver has given it up; start again, from the last checkpoint with --resume");
     } catch (const vk::SystemError& error) {
         throw Error(ExitCode::Device, what + ": " + error.what());
     }

@@ -86,9 +86,9 @@ private:
     bool isClosing_ = false;
     WorkerProcess* worker_ = nullptr; // that runs now
     bool workerIsGone_ = false;
-    int failures_ = 0;     // workers in a row that ended without a picture
-    bool isWanted_ = true; // start another worker
-    std::uint64_t changes_ = 0; // of files, settings and what is shown, since the start
+    int failures_ = 0;                        // workers in a row that ended without a picture
+    bool isWanted_ = true;                    // start another worker
+    std::uint64_t changes_ = 0;               // of files, settings and what is shown, since the start
     std::optional<std::uint64_t> restsAfter_; // changes, all of which the worker has done with
 
     std::map<std::string, std::string> settings_;

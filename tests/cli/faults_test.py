@@ -1,4 +1,4 @@
-"""Things that go wrong around a render: a full disk, a folder that goes away, damaged caches, no memory."""
+"""Things that go wrong around a render: a full disk, a folder that goes away, damaged caches, a lost device, no memory."""
 
 import os
 import resource
@@ -78,6 +78,23 @@ class Faults(CliTest):
         result = self.render(cache, "second.exr")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertEqual((self.folder / "first.exr").read_bytes(), (self.folder / "second.exr").read_bytes())
+
+    def test_a_device_that_is_lost_ends_the_render_and_the_checkpoint_has_the_passes(self):
+        layer = {"VK_ADD_LAYER_PATH": os.environ["HYALITE_TEST_LAYERS"], "VK_INSTANCE_LAYERS": "VK_LAYER_HYALITE_lost_device"}
+        options = ("scene.yaml", "--passes", "400", "--checkpoint", "kept", "--checkpoint-every", "0", "--quiet")
+        lost = 0
+        for submissions in (0, 40, 150):
+            result = self.run_program("render", *options, "--resume", "-o", "lost.exr",
+                                      environment={**layer, "HYALITE_LOSE_AT": str(submissions)})
+            self.assertEqual(result.returncode, 4, result.stderr)
+            self.assertRegex(result.stderr, "the device is lost")
+            self.assertFalse((self.folder / "lost.exr").exists())
+            lost += (self.folder / "kept").exists()
+        self.assertGreater(lost, 0)
+        # What was kept goes on to the same bytes
+        self.succeed("render", *options, "--resume", "-o", "resumed.exr")
+        self.succeed("render", "scene.yaml", "--passes", "400", "--quiet", "-o", "whole.exr")
+        self.assertEqual((self.folder / "resumed.exr").read_bytes(), (self.folder / "whole.exr").read_bytes())
 
     def test_without_memory_the_program_says_so_and_writes_nothing(self):
         result = self.run_program(
