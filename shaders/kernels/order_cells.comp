@@ -63,7 +63,11 @@ void main() {
         return;
     }
     uint first = args.cellStarts.at[bucket];
-    uint count = args.cellStarts.at[bucket + 1u] - first;
+    uint end = args.cellStarts.at[bucket + 1u];
+    if (end <= first) {
+        return;
+    }
+    uint count = end - first;
     if (count > kInsertionLimit) {
         heapSort(first, count);
     } else if (count > 1u) {

@@ -79,6 +79,8 @@ FAULTS = [
      "args.cellCounts.at[bucket]++", CAUSTICS, "count_cells"),
     ("every other photon listed twice", "kernels/fill_cells.comp", "args.ranks.at[i]] = i", "args.ranks.at[i]] = i & ~1u",
      CAUSTICS, "fill_cells"),
+    ("total of a prefix sum forgotten", "kernels/scan_chunks.comp", "args.sums.at[end] = sum;", "args.sums.at[end] = 0u;",
+     CAUSTICS, "scan_chunks"),
     ("buckets in falling order", "kernels/order_cells.comp", "if (before <= value)", "if (before >= value)", CAUSTICS,
      "order_cells"),
     ("off by one in the grid", "lib/grid.glsl", "uint(right - left)", "uint(max(right - left, 1) - 1)", CAUSTICS,
