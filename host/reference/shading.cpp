@@ -40,39 +40,57 @@ std::array<std::optional<NextRay>, 2> splitAtDielectric(const Surface& surface, 
     return next;
 }
 
+// A path inside glass, reflected there, after the next face: that of a ball, or of a pane for all shapes else. The way
+// to it is `chord` long [m], as the last one was.
+std::optional<Ray> afterNextFace(const Surface& surface, const glm::dvec3& reflection, double chord, bool isBall,
+                                 double eta) {
+    const glm::dvec3 normal =
+        isBall ? surface.normal - 2 * glm::dot(surface.normal, reflection) * reflection : -surface.normal;
+    const auto refracted = refract(reflection, normal, eta);
+    return refracted ? std::optional(Ray{.origin = surface.position + chord * reflection, .direction = *refracted})
+                     : std::nullopt;
+}
+
 // With which probability a path takes the reflection at smooth glass: Fresnel's, but kShareToLight at least for the one
-// way that leads to a lamp; out of a parallel face, where the way goes on inside.
-double reflectionProbability(const World& world, const Surface& surface, const glm::dvec3& direction, double eta,
+// way that leads to a lamp.
+double reflectionProbability(const World& world, const Surface& surface, const Ray& ray, const Hit& hit, double eta,
                              double F) {
     if (F == 0 || F == 1 || world.lights.size() > shared::kMostLightsSought) {
         return F;
     }
-    const auto leadsToLamp = [&](const std::optional<glm::dvec3>& way) {
+    const auto leadsToLamp = [&](const std::optional<Ray>& way) {
         return way && std::ranges::any_of(world.lights, [&](const Light& light) {
                    const auto* lamp = std::get_if<AreaLight>(&light.shape);
-                   return lamp != nullptr && looksAt(*lamp, surface.position, *way);
+                   return lamp != nullptr && looksAt(*lamp, way->origin, way->direction);
                });
     };
-    const glm::dvec3 reflection = reflect(direction, surface.normal);
-    const bool reflects = leadsToLamp(surface.front ? reflection : refract(reflection, -surface.normal, eta));
-    const bool refracts = leadsToLamp(surface.front ? direction : refract(direction, surface.normal, eta));
+    constexpr double share{shared::kShareToLight};
+    const glm::dvec3 reflection = reflect(ray.direction, surface.normal);
+    if (surface.front) {
+        return leadsToLamp(Ray{.origin = surface.position, .direction = reflection}) ? std::max(F, share) : F;
+    }
+    const bool isBall = std::holds_alternative<Sphere>(world.objects[hit.object].shape);
+    const bool reflects = leadsToLamp(afterNextFace(surface, reflection, hit.t, isBall, eta));
+    const glm::dvec3 refraction = refract(ray.direction, surface.normal, eta).value();
+    const bool refracts = leadsToLamp(Ray{.origin = surface.position, .direction = refraction});
     if (reflects == refracts) {
         return F;
     }
-    return reflects ? std::max(F, double{shared::kShareToLight}) : std::min(F, 1 - double{shared::kShareToLight});
+    return reflects ? std::max(F, share) : std::min(F, 1 - share);
 }
 
 // One way of a camera path at smooth glass, weighted by what its probability is not.
-NextRay pickAtDielectric(const World& world, const Surface& surface, const glm::dvec3& direction, double eta,
+NextRay pickAtDielectric(const World& world, const Surface& surface, const Ray& ray, const Hit& hit, double eta,
                          const CameraPath& path, double choice) {
-    const double F = fresnelDielectric(incidentCosine(direction, surface.normal), eta);
-    const double probability = reflectionProbability(world, surface, direction, eta, F);
+    const double F = fresnelDielectric(incidentCosine(ray.direction, surface.normal), eta);
+    const double probability = reflectionProbability(world, surface, ray, hit, eta, F);
     if (choice < probability) {
-        return follow(surface, {.direction = reflect(direction, surface.normal), .weight = glm::dvec3(F / probability)},
-                      path, path.samplerSeed);
+        const glm::dvec3 reflection = reflect(ray.direction, surface.normal);
+        return follow(surface, {.direction = reflection, .weight = glm::dvec3(F / probability)}, path,
+                      path.samplerSeed);
     }
     return follow(surface,
-                  {.direction = refract(direction, surface.normal, eta).value(),
+                  {.direction = refract(ray.direction, surface.normal, eta).value(),
                    .weight = glm::dvec3((1 - F) / (1 - probability) * eta * eta),
                    .through = true},
                   path, path.samplerSeed);
@@ -186,7 +204,7 @@ Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const C
         } else if (whitted) {
             shading.next = splitAtDielectric(surface, ray.direction, lobe->eta, path);
         } else {
-            shading.next[0] = pickAtDielectric(world, surface, ray.direction, lobe->eta, path, choice);
+            shading.next[0] = pickAtDielectric(world, surface, ray, hit, lobe->eta, path, choice);
         }
     }
     if (whitted) {

@@ -25,6 +25,9 @@ void main() {
     uint i = threadIndex();
     if (i < args.count) {
         vec3 color = args.colors.at[i];
+        if (color == vec3(0.0)) {
+            return; // most of caustics, and of what is met on the way
+        }
         FilmColor sum = args.film.at[i];
         sum.red = addValue(sum.red, color.x, i);
         sum.green = addValue(sum.green, color.y, i);

@@ -49,7 +49,7 @@ void main() {
     vec3 flux = vec3(0.0);
     if (x.depth != 0u) {
         vec3 normal = normalize(unpackDirection(x.geometricNormal, 16u));
-        CellWalk walk = walkCells(x.position, args.radius, args.grid);
+        CellWalk walk = walkCells(x.position, args.radius, args.radius * discExtent(normal), args.grid);
         uint photon = 0u, end = 0u;
         // Row by row: neighbouring threads keep step, for their discs and so their rows are much the same. One photon
         // in five is near enough, but not the same one for all threads of a subgroup: each lists its own first.

@@ -62,28 +62,35 @@ void splitAtGlass(uint slot, Surface s, vec3 wo, Lobe lobe, CameraPath path) {
     }
 }
 
-// With which probability a path takes the reflection at smooth glass: as much as is reflected; but where one of the ways
-// leads to a light, that one gets no less than kShareToLight. A lamp that only 4 % of a pixel's paths see is else what is
-// noisy about glass. What goes on inside is followed out of a face that is parallel to this one, as a pane has it.
-float reflectionProbability(Interface glass, Surface s, vec3 wo, float cosOut) {
+// With which probability a path takes the reflection at smooth glass: as much as is reflected; but where the one way leads
+// to a light and the other does not, that one gets no less than kShareToLight. A lamp that only 4 % of a pixel's paths see
+// is else what is noisy about glass. What is reflected inside is followed through the next face, taken for that of a ball
+// or, of all other shapes, for that of a pane: in both each way inside is as long as the last.
+float reflectionProbability(Interface glass, Surface s, Hit hit, vec3 wo, float cosOut) {
     float F = glass.reflectance;
     if (kLightsSought == 0u || F <= 0.0 || F >= 1.0) {
         return F;
     }
     vec3 reflection = reflected(-wo, s.normal);
-    vec3 afterReflection = s.front ? reflection : refracted(reflection, -s.normal, cosOut, glass);
-    vec3 afterRefraction = s.front ? -wo : refracted(-wo, s.normal, cosOut, glass);
-    bool reflects = looksAtAny(args.lights, kLightsSought, s.position, afterReflection);
-    if (reflects == looksAtAny(args.lights, kLightsSought, s.position, afterRefraction)) {
+    if (s.front) {
+        return looksAtAny(args.lights, kLightsSought, s.position, reflection) ? max(F, kShareToLight) : F;
+    }
+    uint type = objectHeader(hit.object).type;
+    bool isBall = isShape(type, kShapeSphere) && (type & kShapeLeaf) == 0u;
+    vec3 nextNormal = isBall ? s.normal - 2.0 * cosOut * reflection : -s.normal;
+    bool reflects = looksAtAny(args.lights, kLightsSought, s.position + hit.t * reflection,
+                               refracted(reflection, nextNormal, cosOut, glass));
+    bool refracts = looksAtAny(args.lights, kLightsSought, s.position, refracted(-wo, s.normal, cosOut, glass));
+    if (reflects == refracts) {
         return F;
     }
     return reflects ? max(F, kShareToLight) : min(F, 1.0 - kShareToLight);
 }
 
-void takeOneWay(uint slot, Surface s, vec3 wo, Lobe lobe, CameraPath path, float choice) {
+void takeOneWay(uint slot, Surface s, Hit hit, vec3 wo, Lobe lobe, CameraPath path, float choice) {
     float cosOut = clamp(dot(wo, s.normal), 0.0, 1.0);
     Interface glass = meetInterface(cosOut, lobe.eta);
-    float probability = reflectionProbability(glass, s, wo, cosOut);
+    float probability = reflectionProbability(glass, s, hit, wo, cosOut);
     bool reflects = choice < probability;
     BsdfSample next = sampleSmooth(lobe, s.normal, wo, reflects ? 0.0 : 1.0, true);
     if (probability != glass.reflectance) {
@@ -110,14 +117,15 @@ void leaveByLobe(uint slot, Surface s, vec3 wo, Lobe lobe, CameraPath path, floa
 }
 
 // Where the material has a diffuse part and a lobe, the path takes one of them, or with `split` both.
-void scatter(uint slot, Surface s, MaterialRecord material, vec3 wo, CameraPath path, inout VisiblePoint visible) {
+void scatter(uint slot, Surface s, Hit hit, MaterialRecord material, vec3 wo, CameraPath path,
+             inout VisiblePoint visible) {
     Lobe lobe = lobeOf(material, s.front);
     float choice = sampleUnit(pathSampler(path.samplerSeed, args.pass), cameraScatter(args.depth - 1u)).x;
     if (isMaterial(material.type, kMaterialDielectric) && lobe.alpha == 0.0) {
         if (args.split != 0u) {
             splitAtGlass(slot, s, wo, lobe, path);
         } else {
-            takeOneWay(slot, s, wo, lobe, path, choice);
+            takeOneWay(slot, s, hit, wo, lobe, path, choice);
         }
         return;
     }
@@ -167,7 +175,7 @@ void main() {
         }
         if (s.material != kNone) {
             MaterialRecord material = texturedMaterial(args.materials.at[s.material], s);
-            scatter(slot, s, material, -ray.direction, path, visible);
+            scatter(slot, s, hit, material, -ray.direction, path, visible);
         }
     }
     args.visiblePoints.at[result] = visible;

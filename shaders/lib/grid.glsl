@@ -13,7 +13,7 @@ uint bucketOf(vec3 position, GridRecord grid) {
     return cellBucket(cellOf(position, grid), grid.bucketMask);
 }
 
-// A walk through the cells that a ball reaches into, row by row along x. The cells of a row stand in successive buckets:
+// A walk through the cells that a part of a ball reaches into, row by row along x. The cells of a row stand in successive buckets:
 // each row is one range of the sorted photons, or two where it wraps around the end of the table.
 struct CellWalk {
     ivec2 row;      // y and z of the cells where the walk is
@@ -23,13 +23,16 @@ struct CellWalk {
     uint wrapped;   // so many buckets at the beginning of the table belong to the present row too
     vec3 position;  // the ball's centre [m]
     float reach2;   // its squared radius, and a little more: rounding must not hide a photon [m^2]
+    float along;    // how far the part reaches along x, likewise [m]
 };
 
-CellWalk walkCells(vec3 position, float radius, GridRecord grid) {
-    float reach = 1.0009765625 * radius;
+// The part lies within `extent` of the ball's centre along each axis [m].
+CellWalk walkCells(vec3 position, float radius, vec3 extent, GridRecord grid) {
+    const float more = 1.0009765625;
+    vec3 reach = more * extent;
     ivec2 low = cellOf(position - reach, grid).yz;
     ivec2 high = cellOf(position + reach, grid).yz;
-    return CellWalk(low, low, low, high, 0u, position, reach * reach);
+    return CellWalk(low, low, low, high, 0u, position, more * more * radius * radius, reach.x);
 }
 
 // The next range of photons, from `first` to before `end`, which may be empty; false: the walk is over.
@@ -54,7 +57,7 @@ bool nextRange(inout CellWalk walk, GridRecord grid, UintArray cellStarts, out u
     if (reach2 < 0.0) {
         return true;
     }
-    vec3 along = vec3(sqrt(reach2), 0.0, 0.0);
+    vec3 along = vec3(min(sqrt(reach2), walk.along), 0.0, 0.0);
     int left = cellOf(walk.position - along, grid).x;
     int right = cellOf(walk.position + along, grid).x;
     uint bucket = cellBucket(ivec3(left, walk.row), grid.bucketMask);

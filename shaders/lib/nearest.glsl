@@ -142,7 +142,7 @@ void searchTree(PhotonMapRecord map, NearestQuery query) {
 }
 
 void searchGrid(PhotonMapRecord map, NearestQuery query) {
-    CellWalk walk = walkCells(query.position, query.radius, map.grid);
+    CellWalk walk = walkCells(query.position, query.radius, vec3(query.radius), map.grid);
     uint photon = 0u, end = 0u;
     while (true) {
         if (photon >= end) {

@@ -37,4 +37,9 @@ bool onSameSide(vec3 normal, uint direction, uint surface) {
 
 // Photons farther than this from the tangent plane, in radii of the disc, lie on another surface.
 const float kPlaneDistance = 0.25;
+
+// How far such a disc with all photons that count for it reaches along each axis, over its radius.
+vec3 discExtent(vec3 normal) {
+    return min(vec3(1.0), sqrt(max(vec3(0.0), 1.0 - normal * normal)) + kPlaneDistance * abs(normal));
+}
 #endif
