@@ -55,7 +55,7 @@ TEST_CASE("a pane of glass at any angle, clear or tinted, transmits (1 - F)^2 a 
     }
 }
 
-TEST_CASE("a lamp in a pane of glass has the radiance F L, and no fewer than kShareToLight of the paths see it") {
+TEST_CASE("a lamp in a face of glass has the radiance F L, and no fewer than kShareToLight of the paths see it") {
     // The camera at 30 degrees to the normal, a lamp of any shape where the mirror image of that way leads; nothing is
     // behind the pane. A path that sees the lamp one time in two must bring 2 F L.
     const double angle = pi / 6;
