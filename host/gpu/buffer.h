@@ -3,6 +3,7 @@
 
 #include "gpu/context.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <span>
@@ -55,9 +56,7 @@ public:
     }
     // Host access; no dispatch that uses the array may be in flight.
     [[nodiscard]] std::span<T> host() const { return {reinterpret_cast<T*>(buffer_.mapped().data()), count_}; }
-    void write(std::span<const T> values) const {
-        std::memcpy(buffer_.mapped().data(), values.data(), values.size_bytes());
-    }
+    void write(std::span<const T> values) const { std::ranges::copy(values, host().begin()); }
     [[nodiscard]] std::vector<T> read() const { return {host().begin(), host().end()}; }
 
 private:
