@@ -62,6 +62,11 @@ void splitAtGlass(uint slot, Surface s, vec3 wo, Lobe lobe, CameraPath path) {
     }
 }
 
+// The random number that chooses between the ways to go on.
+float chosen(CameraPath path) {
+    return sampleUnit(pathSampler(path.samplerSeed, args.pass), cameraScatter(args.depth - 1u)).x;
+}
+
 // With which probability a path takes the reflection at smooth glass: as much as is reflected; but where the one way leads
 // to a light and the other does not, that one gets no less than kShareToLight. A lamp that only 4 % of a pixel's paths see
 // is else what is noisy about glass. What is reflected inside is followed through the next face, taken for that of a ball
@@ -87,11 +92,12 @@ float reflectionProbability(Interface glass, Surface s, Hit hit, vec3 wo, float 
     return reflects ? max(F, kShareToLight) : min(F, 1.0 - kShareToLight);
 }
 
-void takeOneWay(uint slot, Surface s, Hit hit, vec3 wo, Lobe lobe, CameraPath path, float choice) {
+// One way at smooth glass, weighted by what its probability is not.
+void takeOneWay(uint slot, Surface s, Hit hit, vec3 wo, Lobe lobe, CameraPath path) {
     float cosOut = clamp(dot(wo, s.normal), 0.0, 1.0);
     Interface glass = meetInterface(cosOut, lobe.eta);
     float probability = reflectionProbability(glass, s, hit, wo, cosOut);
-    bool reflects = choice < probability;
+    bool reflects = chosen(path) < probability;
     BsdfSample next = sampleSmooth(lobe, s.normal, wo, reflects ? 0.0 : 1.0, true);
     if (probability != glass.reflectance) {
         next.weight *= reflects ? glass.reflectance / probability : (1.0 - glass.reflectance) / (1.0 - probability);
@@ -120,17 +126,17 @@ void leaveByLobe(uint slot, Surface s, vec3 wo, Lobe lobe, CameraPath path, floa
 void scatter(uint slot, Surface s, Hit hit, MaterialRecord material, vec3 wo, CameraPath path,
              inout VisiblePoint visible) {
     Lobe lobe = lobeOf(material, s.front);
-    float choice = sampleUnit(pathSampler(path.samplerSeed, args.pass), cameraScatter(args.depth - 1u)).x;
     if (isMaterial(material.type, kMaterialDielectric) && lobe.alpha == 0.0) {
         if (args.split != 0u) {
             splitAtGlass(slot, s, wo, lobe, path);
         } else {
-            takeOneWay(slot, s, hit, wo, lobe, path, choice);
+            takeOneWay(slot, s, hit, wo, lobe, path);
         }
         return;
     }
     DiffusePart diffuse = diffusePart(material);
     float cosOut = clamp(dot(wo, s.normal), 0.0, 1.0);
+    float choice = chosen(path);
     float probability = lobeProbability(material, lobe, diffuse, cosOut);
     bool both = args.split != 0u && probability > 0.0 && probability < 1.0;
     if (both || choice >= probability) {

@@ -13,8 +13,8 @@ uint bucketOf(vec3 position, GridRecord grid) {
     return cellBucket(cellOf(position, grid), grid.bucketMask);
 }
 
-// A walk through the cells that a part of a ball reaches into, row by row along x. The cells of a row stand in successive buckets:
-// each row is one range of the sorted photons, or two where it wraps around the end of the table.
+// A walk through the cells that a part of a ball reaches into, row by row along x. The cells of a row stand in successive
+// buckets: each row is one range of the sorted photons, or two where it wraps around the end of the table.
 struct CellWalk {
     ivec2 row;      // y and z of the cells where the walk is
     ivec2 next;     // and of those that come next
