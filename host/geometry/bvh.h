@@ -11,7 +11,7 @@
 namespace hyalite {
 
 struct Bvh {
-    std::vector<glm::uvec4> texels;   // kTexelsPerNode a node, the root first
+    std::vector<glm::uvec4> texels;   // kTexelsPerRecord a node, the root first
     std::vector<std::uint32_t> order; // the element that stands at each place of the leaves
     std::uint32_t stackEntries = 0; // what a traversal needs at most: 1 for the root, then children as they are pushed
 };
@@ -21,7 +21,10 @@ struct Bvh {
 // that the heuristic makes too deep is split at medians instead.
 [[nodiscard]] Bvh buildBvh(std::span<const Aabb> boxes, std::uint32_t leafSize);
 
-// Makes room for the tree behind others in one node table and one element table.
+// The words of the node's four children, see scene_records.h; kNone where there is none.
+[[nodiscard]] glm::uvec4 childWords(std::span<const glm::uvec4> node);
+
+// Makes room for the tree behind others, from the given record and element on.
 void relocate(Bvh& bvh, std::uint32_t firstNode, std::uint32_t firstElement);
 
 // A binary tree on the way to the packed one. Node 0 is the root; a node of n elements owns the 2n - 1 slots from its

@@ -1,4 +1,4 @@
-// Turns the binary tree into 4-wide nodes with children's boxes in 8 bits a side [Ylitie17]: 64 bytes a node.
+// Turns the binary tree into 4-wide nodes with children's boxes in 8 bits a side [Ylitie17]: 48 bytes a node.
 #include "geometry/bvh.h"
 
 #include "shaders/shared/limits.h"
@@ -13,7 +13,7 @@ namespace hyalite {
 
 namespace {
 
-using shared::kTexelsPerNode;
+using shared::kTexelsPerRecord;
 
 constexpr int kExponentBias = 127;
 
@@ -67,8 +67,9 @@ public:
     explicit Packer(const BinaryBvh& binary) : binary_(binary) {}
 
     Bvh pack() {
-        bvh_.order = binary_.order;
-        bvh_.stackEntries = packNode(children(0), binary_.nodes[0].box);
+        bvh_.order.reserve(binary_.order.size());
+        bvh_.texels.resize(kTexelsPerRecord);
+        bvh_.stackEntries = packNode(0, children(0), binary_.nodes[0].box);
         return std::move(bvh_);
     }
 
@@ -101,38 +102,51 @@ private:
         return list;
     }
 
-    // Appends the node and all below it; returns the stack entries that traversal from here needs.
-    std::uint32_t packNode(const Children& list, const Aabb& box) {
-        const std::size_t node = bvh_.texels.size();
+    // Fills the node's record and appends all below it; returns the stack entries that traversal from here needs.
+    std::uint32_t packNode(std::size_t node, const Children& list, const Aabb& box) {
         const Frame frame(box);
         const glm::dvec3 pad = list.empty() ? glm::dvec3(0) : Frame::padding(box);
-        glm::uvec4 words(shared::kNone);
+        glm::uvec4 first = frame.texel();
         glm::uvec4 low(0);
-        glm::uvec4 high(0);
-        for (std::size_t i = 0; i < list.size(); ++i) {
-            const Aabb& child = binary_.nodes[list[i]].box;
-            const auto shift = static_cast<std::uint32_t>(8 * i);
-            for (int axis = 0; axis < 3; ++axis) {
-                low[axis] |= frame.lower(child, pad[axis], axis) << shift;
-            }
-            low[3] |= frame.upper(child, pad[0], 0) << shift;
-            high[0] |= frame.upper(child, pad[1], 1) << shift;
-            high[1] |= frame.upper(child, pad[2], 2) << shift;
-        }
-        bvh_.texels.insert(bvh_.texels.end(), {frame.texel(), words, low, high});
-
-        std::uint32_t below = 1;
+        glm::uvec4 high(0, 0, bvh_.texels.size() / kTexelsPerRecord, bvh_.order.size());
+        std::vector<std::uint32_t> inner;
         for (std::size_t i = 0; i < list.size(); ++i) {
             const BinaryNode& child = binary_.nodes[list[i]];
+            const auto shift = static_cast<std::uint32_t>(8 * i);
+            for (int axis = 0; axis < 3; ++axis) {
+                low[axis] |= frame.lower(child.box, pad[axis], axis) << shift;
+            }
+            low[3] |= frame.upper(child.box, pad[0], 0) << shift;
+            high[0] |= frame.upper(child.box, pad[1], 1) << shift;
+            high[1] |= frame.upper(child.box, pad[2], 2) << shift;
+            setKind(first, high, i, isLeaf(list[i]) ? child.count : shared::kInnerChild);
             if (isLeaf(list[i])) {
-                words[static_cast<int>(i)] = shared::kLeafBit | child.count << shared::kLeafCountShift | child.first;
+                const auto elements = binary_.order.begin() + child.first;
+                bvh_.order.insert(bvh_.order.end(), elements, elements + child.count);
             } else {
-                words[static_cast<int>(i)] = static_cast<std::uint32_t>(bvh_.texels.size() / kTexelsPerNode);
-                below = std::max(below, packNode(children(list[i]), child.box));
+                inner.push_back(list[i]);
             }
         }
-        bvh_.texels[node + 1] = words;
+        const std::size_t firstInner = bvh_.texels.size();
+        bvh_.texels.resize(firstInner + inner.size() * kTexelsPerRecord);
+        bvh_.texels[node] = first;
+        bvh_.texels[node + 1] = low;
+        bvh_.texels[node + 2] = high;
+
+        std::uint32_t below = 1;
+        for (std::size_t i = 0; i < inner.size(); ++i) {
+            below = std::max(
+                below, packNode(firstInner + i * kTexelsPerRecord, children(inner[i]), binary_.nodes[inner[i]].box));
+        }
         return static_cast<std::uint32_t>(std::max<std::size_t>(list.size(), 1) - 1) + below;
+    }
+
+    static void setKind(glm::uvec4& first, glm::uvec4& last, std::size_t child, std::uint32_t kind) {
+        if (child < 2) {
+            first.w |= kind << (24 + 4 * child);
+        } else {
+            last[static_cast<int>(child)] |= kind << shared::kChildKindShift;
+        }
     }
 
     const BinaryBvh& binary_;
@@ -145,14 +159,27 @@ Bvh packBvh(const BinaryBvh& binary) {
     return Packer(binary).pack();
 }
 
-void relocate(Bvh& bvh, std::uint32_t firstNode, std::uint32_t firstElement) {
-    for (std::size_t node = 0; node < bvh.texels.size(); node += kTexelsPerNode) {
-        for (int i = 0; i < 4; ++i) {
-            std::uint32_t& word = bvh.texels[node + 1][i];
-            if (word != shared::kNone) {
-                word += (word & shared::kLeafBit) != 0 ? firstElement : firstNode;
-            }
+glm::uvec4 childWords(std::span<const glm::uvec4> node) {
+    const std::array kinds{node[0].w >> 24U & 15U, node[0].w >> 28U, node[2].z >> shared::kChildKindShift,
+                           node[2].w >> shared::kChildKindShift};
+    std::uint32_t nextNode = node[2].z & shared::kLeafFirstMask;
+    std::uint32_t nextElement = node[2].w & shared::kLeafFirstMask;
+    glm::uvec4 words(shared::kNone);
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        if (kinds[i] == shared::kInnerChild) {
+            words[static_cast<int>(i)] = nextNode++;
+        } else if (kinds[i] != 0) {
+            words[static_cast<int>(i)] = shared::kLeafBit | kinds[i] << shared::kLeafCountShift | nextElement;
+            nextElement += kinds[i];
         }
+    }
+    return words;
+}
+
+void relocate(Bvh& bvh, std::uint32_t firstNode, std::uint32_t firstElement) {
+    for (std::size_t node = 0; node < bvh.texels.size(); node += kTexelsPerRecord) {
+        bvh.texels[node + 2].z += firstNode;
+        bvh.texels[node + 2].w += firstElement;
     }
 }
 

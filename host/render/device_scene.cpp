@@ -75,7 +75,7 @@ void uploadTextures(const gpu::Context& context, gpu::TexelTables& tables, const
 DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, const Scene& scene) {
     MeshTables meshes = buildMeshTables(scene.meshes);
     LightTable lights = buildLightTable(scene);
-    ObjectTable objects = buildObjectTable(scene, meshes.roots, lights.firstEmitter, meshes.nodes);
+    ObjectTable objects = buildObjectTable(scene, meshes.roots, lights.firstEmitter, meshes.geometry);
     const MaterialTable materials = buildMaterialTable(scene.materials);
 
     std::vector<shared::TargetRecord> targets;
@@ -99,12 +99,10 @@ DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, c
     device.lights = {context, std::span<const shared::LightRecord>(lights.lights), "lights"};
     device.instances = {context, std::span<const shared::InstanceRecord>(objects.instances), "instances"};
     device.normals = upload(context, meshes.normals, "normals");
-    device.nodes = upload(context, meshes.nodes, "BVH nodes");
+    device.geometry = upload(context, meshes.geometry, "geometry");
     device.objects = {context, std::span<const glm::vec4>(objects.texels), "objects"};
-    device.triangles = upload(context, meshes.triangles, "triangles");
-    tables.set(TABLE_NODES, device.nodes.buffer(), gpu::TexelFormat::Uint4);
+    tables.set(TABLE_GEOMETRY, device.geometry.buffer(), gpu::TexelFormat::Uint4);
     tables.set(TABLE_OBJECTS, device.objects.buffer(), gpu::TexelFormat::Float4);
-    tables.set(TABLE_TRIANGLES, device.triangles.buffer(), gpu::TexelFormat::Float4);
     uploadTextures(context, tables, scene, meshes, device);
     const bool areFew =
         scene.objects.size() <= kFewObjects && std::all_of(scene.objects.begin(), scene.objects.end(), isQuicklyTried);

@@ -17,10 +17,9 @@ struct DeviceScene {
     gpu::Array<glm::vec3> lightTexels;
     gpu::Array<float> lightCdfs;
     gpu::Array<shared::InstanceRecord> instances; // in device order, like the objects
-    gpu::Array<glm::vec3> normals;                // three per triangle of the triangle table
-    gpu::Array<glm::uvec4> nodes;
+    gpu::Array<glm::vec3> normals;                // three per triangle of those that come first
+    gpu::Array<glm::uvec4> geometry;              // triangles, then nodes
     gpu::Array<glm::vec4> objects;
-    gpu::Array<glm::vec4> triangles;
     gpu::Array<glm::vec4> textures;
     gpu::Array<glm::vec4> textureCoordinates; // of the triangles
     std::uint32_t rootNode = 0;
@@ -32,6 +31,11 @@ struct DeviceScene {
     std::vector<std::uint32_t> leafOf;     // see ObjectTable
     std::vector<std::uint32_t> triangleOf; // see MeshTables::fileOrder
     gpu::Specialization specialization;    // what the scene does not have, kernels leave out
+
+    // The picture's width where so many elements are its pixels, else 0: see shaders/shared/pixel_order.h.
+    [[nodiscard]] std::uint32_t widthOf(std::uint32_t count) const {
+        return count == camera.width * camera.height ? camera.width : 0;
+    }
 };
 
 [[nodiscard]] shared::CameraRecord cameraRecord(const Camera& camera);

@@ -5,17 +5,28 @@
 
 #include "shaders/shared/scene_records.h"
 
+#include <bit>
+
 namespace hyalite::render {
 
 namespace {
 
 using glm::vec3;
-using glm::vec4;
 
 // A triangle costs about one box test. An estimate, not yet measured.
 constexpr std::uint32_t kTrianglesPerLeaf = 4;
 
-void appendMesh(MeshTables& tables, std::size_t number, const Mesh& mesh) {
+std::uint32_t recordsOf(const std::vector<glm::uvec4>& geometry) {
+    return static_cast<std::uint32_t>(geometry.size() / shared::kTexelsPerRecord);
+}
+
+glm::uvec4 texelOf(const vec3& corner) {
+    return {std::bit_cast<std::uint32_t>(corner.x), std::bit_cast<std::uint32_t>(corner.y),
+            std::bit_cast<std::uint32_t>(corner.z), 0};
+}
+
+// Appends the mesh's nodes, and puts its triangles where there is room for them from `firstTriangle` on.
+void addMesh(MeshTables& tables, std::size_t number, const Mesh& mesh, std::uint32_t firstTriangle) {
     std::vector<Aabb> boxes(mesh.triangles.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         for (int corner = 0; corner < 3; ++corner) {
@@ -23,20 +34,21 @@ void appendMesh(MeshTables& tables, std::size_t number, const Mesh& mesh) {
         }
     }
     Bvh bvh = buildBvh(boxes, kTrianglesPerLeaf);
-    const auto firstNode = static_cast<std::uint32_t>(tables.nodes.size() / shared::kTexelsPerNode);
-    const auto firstTriangle = static_cast<std::uint32_t>(tables.triangles.size() / shared::kTexelsPerTriangle);
-    if (firstTriangle + mesh.triangles.size() > shared::kLeafFirstMask) {
-        throw Error(ExitCode::BadInput, {mesh.file}, "more than 134 million triangles in the scene's meshes",
+    if (tables.geometry.size() + bvh.texels.size() > std::size_t{shared::kLeafFirstMask} * shared::kTexelsPerRecord) {
+        throw Error(ExitCode::BadInput, {mesh.file},
+                    "more than 134 million triangles and nodes of hierarchies in the scene's meshes",
                     "use instances or coarser meshes");
     }
-    relocate(bvh, firstNode, firstTriangle);
-    tables.roots[number] = firstNode;
-    tables.nodes.insert(tables.nodes.end(), bvh.texels.begin(), bvh.texels.end());
+    const std::uint32_t root = recordsOf(tables.geometry);
+    relocate(bvh, root, firstTriangle);
+    tables.roots[number] = root;
+    tables.geometry.insert(tables.geometry.end(), bvh.texels.begin(), bvh.texels.end());
     tables.fileOrder.insert(tables.fileOrder.end(), bvh.order.begin(), bvh.order.end());
+    std::size_t texel = std::size_t{firstTriangle} * shared::kTexelsPerRecord;
     for (const std::uint32_t triangle : bvh.order) {
         for (int corner = 0; corner < 3; ++corner) {
             const std::uint32_t vertex = mesh.triangles[triangle][corner];
-            tables.triangles.emplace_back(mesh.positions[vertex], 0.0F);
+            tables.geometry[texel++] = texelOf(mesh.positions[vertex]);
             if (!mesh.normals.empty()) {
                 tables.normals.push_back(mesh.normals[vertex]);
             }
@@ -49,11 +61,19 @@ void appendMesh(MeshTables& tables, std::size_t number, const Mesh& mesh) {
 MeshTables buildMeshTables(const std::vector<Mesh>& meshes) {
     MeshTables tables;
     tables.roots.resize(meshes.size());
+    std::size_t triangles = 0;
+    for (const Mesh& mesh : meshes) {
+        triangles += mesh.triangles.size();
+    }
+    tables.geometry.reserve(triangles * (shared::kTexelsPerRecord + 1)); // a node has some four triangles below it
+    tables.geometry.resize(triangles * shared::kTexelsPerRecord);
+    std::uint32_t placed = 0;
     for (const bool smooth : {true, false}) {
         for (std::size_t i = 0; i < meshes.size(); ++i) {
             if (meshes[i].normals.empty() != smooth) {
                 tables.order.push_back(static_cast<std::uint32_t>(i));
-                appendMesh(tables, i, meshes[i]);
+                addMesh(tables, i, meshes[i], placed);
+                placed += static_cast<std::uint32_t>(meshes[i].triangles.size());
             }
         }
     }

@@ -11,15 +11,14 @@ namespace hyalite::render {
 
 // All meshes, one behind the other; see shaders/shared/scene_records.h for the layouts.
 struct MeshTables {
-    std::vector<glm::uvec4> nodes;
-    std::vector<glm::vec4> triangles;
+    std::vector<glm::uvec4> geometry;     // triangles, then nodes
     std::vector<glm::vec3> normals;       // of the meshes that have some, whose triangles come first
     std::vector<std::uint32_t> order;     // the meshes, as their triangles stand
-    std::vector<std::uint32_t> roots;     // by mesh: node
+    std::vector<std::uint32_t> roots;     // by mesh: record of its root
     std::vector<std::uint32_t> fileOrder; // by triangle of the table: its number in the mesh file
 };
 
-// Throws Error(BadInput) where the meshes together have more triangles than a leaf can name.
+// Throws Error(BadInput) where the meshes together have more triangles and nodes than a leaf can name.
 [[nodiscard]] MeshTables buildMeshTables(const std::vector<Mesh>& meshes);
 
 } // namespace hyalite::render

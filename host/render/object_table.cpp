@@ -127,8 +127,8 @@ ObjectRecord record(const Torus& torus) {
 class TableBuilder {
 public:
     TableBuilder(const Scene& scene, const std::vector<std::uint32_t>& meshRoots, std::uint32_t firstLight,
-                 std::vector<glm::uvec4>& nodes)
-        : scene_(scene), meshRoots_(meshRoots), light_(firstLight), nodes_(nodes) {}
+                 std::vector<glm::uvec4>& geometry)
+        : scene_(scene), meshRoots_(meshRoots), light_(firstLight), geometry_(geometry) {}
 
     ObjectTable build() {
         std::vector<std::uint32_t> lights;
@@ -177,9 +177,9 @@ private:
     void addHierarchy(const std::vector<Aabb>& boxes, const std::vector<std::uint32_t>& bounded,
                       std::vector<std::uint32_t>& order) {
         Bvh bvh = buildBvh(boxes, kObjectsPerLeaf);
-        table_.rootNode = static_cast<std::uint32_t>(nodes_.size() / shared::kTexelsPerNode);
+        table_.rootNode = static_cast<std::uint32_t>(geometry_.size() / shared::kTexelsPerRecord);
         relocate(bvh, table_.rootNode, table_.endlessCount);
-        nodes_.insert(nodes_.end(), bvh.texels.begin(), bvh.texels.end());
+        geometry_.insert(geometry_.end(), bvh.texels.begin(), bvh.texels.end());
         for (const std::uint32_t element : bvh.order) {
             order.push_back(bounded[element]);
         }
@@ -205,14 +205,14 @@ private:
     }
     [[nodiscard]] ObjectRecord make(const Csg& csg) {
         const auto leaves = static_cast<std::uint32_t>((csg.program.size() + 1) / 2);
-        ObjectRecord r{.type = shared::kShapeCsg, .root = static_cast<std::uint32_t>(nodes_.size())};
+        ObjectRecord r{.type = shared::kShapeCsg, .root = static_cast<std::uint32_t>(geometry_.size())};
         r.texels[0] = vec4(bits(nextLeaf_), bits(leaves), 0, 0);
         nextLeaf_ += leaves;
         glm::uvec4 words(0);
         for (std::uint32_t i = 0; i < csg.program.size(); ++i) {
             words[static_cast<int>(i / 16)] |= code(csg.program[i]) << 2 * (i % 16);
         }
-        nodes_.push_back(words);
+        geometry_.push_back(words);
         return r;
     }
 
@@ -275,7 +275,7 @@ private:
     const Scene& scene_;
     const std::vector<std::uint32_t>& meshRoots_;
     std::uint32_t light_;
-    std::vector<glm::uvec4>& nodes_;
+    std::vector<glm::uvec4>& geometry_;
     std::uint32_t nextLeaf_ = 0;
     ObjectTable table_;
 };
@@ -283,8 +283,8 @@ private:
 } // namespace
 
 ObjectTable buildObjectTable(const Scene& scene, const std::vector<std::uint32_t>& meshRoots, std::uint32_t firstLight,
-                             std::vector<glm::uvec4>& nodes) {
-    return TableBuilder(scene, meshRoots, firstLight, nodes).build();
+                             std::vector<glm::uvec4>& geometry) {
+    return TableBuilder(scene, meshRoots, firstLight, geometry).build();
 }
 
 } // namespace hyalite::render

@@ -23,9 +23,9 @@ struct ObjectTable {
     std::uint32_t shapeTypes = 0; // bit kShape… is set for every type that occurs
 };
 
-// Appends the hierarchy over the objects and the programs of CSG trees to the nodes. Emitting objects are lights
+// Appends the hierarchy over the objects and the programs of CSG trees to the geometry. Emitting objects are lights
 // `firstLight` and following.
 [[nodiscard]] ObjectTable buildObjectTable(const Scene& scene, const std::vector<std::uint32_t>& meshRoots,
-                                           std::uint32_t firstLight, std::vector<glm::uvec4>& nodes);
+                                           std::uint32_t firstLight, std::vector<glm::uvec4>& geometry);
 
 } // namespace hyalite::render

@@ -49,9 +49,8 @@ std::uint64_t hashOf(const DeviceScene& deviceScene) {
     state = fnvOf(deviceScene.textureCoordinates, state);
     state = fnvOf(deviceScene.instances, state);
     state = fnvOf(deviceScene.normals, state);
-    state = fnvOf(deviceScene.nodes, state);
-    state = fnvOf(deviceScene.objects, state);
-    return fnvOf(deviceScene.triangles, state);
+    state = fnvOf(deviceScene.geometry, state);
+    return fnvOf(deviceScene.objects, state);
 }
 
 RenderIdentity identify(const Scene& scene, const DeviceScene& deviceScene, const gpu::ShaderCompiler& compiler) {

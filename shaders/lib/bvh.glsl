@@ -35,13 +35,23 @@ void orderPair(inout float nearKey, inout float farKey, inout uint nearChild, in
     }
 }
 
+// The words of the children of such kinds.
+uvec4 childWords(uvec4 kinds, uint firstNode, uint firstElement) {
+    bvec4 inner = equal(kinds, uvec4(kInnerChild));
+    uvec4 steps = mix(kinds, uvec4(1u << 16u), inner); // elements in the lower half, nodes in the upper
+    uint two = steps.x + steps.y;
+    uvec4 before = uvec4(0u, steps.x, two, two + steps.z);
+    return mix(((kinds << kLeafCountShift) + (kLeafBit | firstElement)) + (before & 0xffffu),
+               (before >> 16u) + firstNode, inner);
+}
+
 // Where the ray enters the node's four children, nearest first; kInfinity where it misses.
-vec4 enterChildren(uint node, BoxRay ray, float tMax, out uvec4 children) {
-    int base = int(node * kTexelsPerNode);
-    uvec4 frame = texelFetch(nodeTable, base);
-    children = texelFetch(nodeTable, base + 1);
-    uvec4 low = texelFetch(nodeTable, base + 2); // lo x, lo y, lo z, hi x
-    uvec2 high = texelFetch(nodeTable, base + 3).xy;
+vec4 enterChildren(GeometryRecord node, BoxRay ray, float tMax, out uvec4 children) {
+    uvec4 frame = node.a;
+    uvec4 low = node.b; // lo x, lo y, lo z, hi x
+    uvec4 high = node.c;
+    uvec4 kinds = uvec4(frame.w >> 24u & 15u, frame.w >> 28u, high.zw >> kChildKindShift);
+    children = childWords(kinds, high.z & kLeafFirstMask, high.w & kLeafFirstMask);
     vec3 scale = vec3(powerOfTwo(frame.w), powerOfTwo(frame.w >> 8u), powerOfTwo(frame.w >> 16u)) * ray.inverse;
     vec3 shift = (uintBitsToFloat(frame.xyz) - ray.origin) * ray.inverse;
     bvec3 backward = lessThan(ray.inverse, vec3(0.0));
@@ -51,11 +61,11 @@ vec4 enterChildren(uint node, BoxRay ray, float tMax, out uvec4 children) {
     vec4 farY = bytes(backward.y ? low.y : high.x) * scale.y + shift.y;
     vec4 nearZ = bytes(backward.z ? high.y : low.z) * scale.z + shift.z;
     vec4 farZ = bytes(backward.z ? low.z : high.y) * scale.z + shift.z;
-    vec4 tEnter = max(max(nearX, nearY), max(nearZ, vec4(0.0)));
-    vec4 tLeave = min(min(farX, farY), farZ) * 1.000001; // rounding of the products above; the builder pads the rest
-    bvec4 miss = greaterThan(tEnter, min(tLeave, vec4(tMax)));
-    vec4 key = mix(tEnter, vec4(kInfinity), bvec4(miss.x || children.x == kNone, miss.y || children.y == kNone,
-                                                  miss.z || children.z == kNone, miss.w || children.w == kNone));
+    vec4 tEnter = greater(greater(nearX, nearY), greater(nearZ, vec4(0.0)));
+    vec4 tLeave = lesser(lesser(farX, farY), farZ) * 1.000001; // rounding of the products above; the builder pads the rest
+    bvec4 miss = greaterThan(tEnter, lesser(tLeave, vec4(tMax)));
+    vec4 key = mix(tEnter, vec4(kInfinity), bvec4(miss.x || kinds.x == 0u, miss.y || kinds.y == 0u,
+                                                  miss.z || kinds.z == 0u, miss.w || kinds.w == 0u));
     orderPair(key.x, key.y, children.x, children.y);
     orderPair(key.z, key.w, children.z, children.w);
     orderPair(key.x, key.z, children.x, children.z);

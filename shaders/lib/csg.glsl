@@ -89,7 +89,7 @@ void reportSurface(uint leaf, float t, uint part, bool enters, Ray ray, inout Hi
 
 void traceCsg(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
     uvec2 leaves = floatBitsToUint(objectTexel(object, 0u).xy);
-    uvec4 program = texelFetch(nodeTable, int(header.root));
+    uvec4 program = texelFetch(geometryTable, int(header.root));
     uint steps = 2u * leaves.y - 1u;
     LeafState states[kMaxCsgLeaves];
     uint crossed[kMaxCsgLeaves]; // part of each leaf's last crossing

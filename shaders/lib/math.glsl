@@ -63,6 +63,16 @@ float turnsOf(float y, float x) {
     return turns < 0.0 ? 1.0 + turns : turns;
 }
 
+// max and min, but for where a number is none: then the second operand. What lavapipe does to make sure of a number in
+// max and min takes it eight instructions, and it halves its longest vectors for them; each of these is one.
+vec4 greater(vec4 a, vec4 b) {
+    return mix(b, a, greaterThan(a, b));
+}
+
+vec4 lesser(vec4 a, vec4 b) {
+    return mix(b, a, lessThan(a, b));
+}
+
 float maxComponent(vec3 v) {
     return max(v.x, max(v.y, v.z));
 }

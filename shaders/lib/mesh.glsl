@@ -24,19 +24,19 @@ struct TriangleEdges {
     vec3 edgeC;
 };
 
-TriangleEdges triangleEdges(vec3 o, uint triangle) {
-    vec3 a = triangleCorner(triangle, 0u) - o;
-    vec3 b = triangleCorner(triangle, 1u) - o;
-    vec3 c = triangleCorner(triangle, 2u) - o;
+TriangleEdges triangleEdges(vec3 o, GeometryRecord triangle) {
+    vec3 a = uintBitsToFloat(triangle.a.xyz) - o;
+    vec3 b = uintBitsToFloat(triangle.b.xyz) - o;
+    vec3 c = uintBitsToFloat(triangle.c.xyz) - o;
     vec3 ca = a - c, ab = b - a, bc = c - b;
     return TriangleEdges(a, cross(ab, bc), cross(bc, c + b), cross(ca, a + c), cross(ab, b + a));
 }
 
 // The ray is o + (t - skipped) d.
-bool intersectTriangle(vec3 o, vec3 d, float skipped, uint triangle, inout float tMax, inout vec2 uv) {
+bool intersectTriangle(vec3 o, vec3 d, float skipped, GeometryRecord triangle, inout float tMax, inout vec2 uv) {
     TriangleEdges e = triangleEdges(o, triangle);
     vec3 w = vec3(dot(e.edgeA, d), dot(e.edgeB, d), dot(e.edgeC, d));
-    bool inside = min(w.x, min(w.y, w.z)) >= 0.0 || max(w.x, max(w.y, w.z)) <= 0.0;
+    bool inside = all(greaterThanEqual(w, vec3(0.0))) || all(lessThanEqual(w, vec3(0.0)));
     float cosine = dot(e.normal, d);
     float t = skipped + dot(e.normal, e.a) / cosine;
     if (!inside || cosine == 0.0 || !(t > 0.0 && t < tMax)) {
@@ -49,46 +49,45 @@ bool intersectTriangle(vec3 o, vec3 d, float skipped, uint triangle, inout float
 
 // Barycentric coordinates of the second and third corner where the line meets the triangle's plane.
 vec2 triangleCoordinates(vec3 o, vec3 d, uint triangle) {
-    TriangleEdges e = triangleEdges(o, triangle);
+    TriangleEdges e = triangleEdges(o, geometryRecord(triangle));
     vec3 w = vec3(dot(e.edgeA, d), dot(e.edgeB, d), dot(e.edgeC, d));
     return w.yz / (w.x + w.y + w.z);
 }
 
-// Closest triangle of a mesh, or with `any` the first one found. Triangles are met from where the ray comes to the
-// mesh: from far away the edge functions of a small one, differences of large products, would lose their digits.
+// The leaf's word without its first element; kNone when that was the last.
+uint withoutFirst(uint leaf) {
+    bool more = (leaf & ~kLeafBit) >= (2u << kLeafCountShift);
+    return more ? leaf + 1u - (1u << kLeafCountShift) : kNone;
+}
+
+// Closest triangle of a mesh, or with `any` the first one found. Each round reads one record, a node's or a triangle's:
+// lanes of a subgroup that go different ways load together all the same. Triangles are met from where the ray comes to
+// the mesh: from far away the edge functions of a small one, differences of large products, would lose their digits.
 void traceMesh(uint root, uint object, vec3 o, vec3 d, bool any, inout Hit hit) {
     BoxRay ray = boxRay(o, d);
     uint bottom = stackDepth;
-    uint word = root;
-    float skipped = 0.0;
-    if ((root & kLeafBit) == 0u) {
-        uvec4 children;
-        vec4 key = enterChildren(root, ray, hit.t, children);
-        word = nextChild(key, children);
-        if (word == kNone) {
-            return;
-        }
-        skipped = key.x;
-        o += skipped * d;
+    uvec4 children;
+    vec4 key = enterChildren(geometryRecord(root), ray, hit.t, children);
+    uint word = nextChild(key, children);
+    if (word == kNone) {
+        return;
     }
+    float skipped = key.x;
+    o += skipped * d;
     while (true) {
+        GeometryRecord record = geometryRecord(word & kLeafFirstMask);
         if ((word & kLeafBit) == 0u) {
-            uvec4 children;
-            vec4 key = enterChildren(word, ray, hit.t, children);
+            key = enterChildren(record, ray, hit.t, children);
             word = nextChild(key, children);
         } else {
-            uint first = word & kLeafFirstMask;
-            uint end = first + ((word & ~kLeafBit) >> kLeafCountShift);
-            for (uint triangle = first; triangle < end; ++triangle) {
-                if (intersectTriangle(o, d, skipped, triangle, hit.t, hit.uv)) {
-                    hit.object = object;
-                    hit.primitive = triangle;
-                    if (any) {
-                        return;
-                    }
+            if (intersectTriangle(o, d, skipped, record, hit.t, hit.uv)) {
+                hit.object = object;
+                hit.primitive = word & kLeafFirstMask;
+                if (any) {
+                    return;
                 }
             }
-            word = kNone;
+            word = withoutFirst(word);
         }
         if (word == kNone) {
             if (stackDepth == bottom) {
@@ -122,30 +121,27 @@ MeshCrossing nextMeshCrossing(uint root, vec3 o, vec3 d, float after, uint after
     uint bottom = stackDepth;
     uint word = root;
     while (true) {
+        GeometryRecord record = geometryRecord(word & kLeafFirstMask);
         if ((word & kLeafBit) == 0u) {
             uvec4 children;
-            vec4 key = enterChildren(word, ray, count ? kEndless : next.t, children);
+            vec4 key = enterChildren(record, ray, count ? kEndless : next.t, children);
             word = nextChild(key, children);
         } else {
-            uint first = word & kLeafFirstMask;
-            uint end = first + ((word & ~kLeafBit) >> kLeafCountShift);
-            for (uint triangle = first; triangle < end; ++triangle) {
-                TriangleEdges e = triangleEdges(o, triangle);
-                bool a = isPositive(dot(e.edgeA, d), e.edgeA);
-                bool b = isPositive(dot(e.edgeB, d), e.edgeB);
-                bool c = isPositive(dot(e.edgeC, d), e.edgeC);
-                float t = dot(e.normal, e.a) / dot(e.normal, d);
-                bool later = t > after || (t == after && afterTriangle != kNone && triangle > afterTriangle);
-                if (a != b || b != c || !later || t >= kEndless) {
-                    continue;
-                }
+            uint triangle = word & kLeafFirstMask;
+            TriangleEdges e = triangleEdges(o, record);
+            bool a = isPositive(dot(e.edgeA, d), e.edgeA);
+            bool b = isPositive(dot(e.edgeB, d), e.edgeB);
+            bool c = isPositive(dot(e.edgeC, d), e.edgeC);
+            float t = dot(e.normal, e.a) / dot(e.normal, d);
+            bool later = t > after || (t == after && afterTriangle != kNone && triangle > afterTriangle);
+            if (a == b && b == c && later && t < kEndless) {
                 int entering = a ? 1 : -1;
                 next.winding -= entering;
                 if (t < next.t || (t == next.t && triangle < next.triangle)) {
                     next = MeshCrossing(t, triangle, entering, next.winding);
                 }
             }
-            word = kNone;
+            word = withoutFirst(word);
         }
         if (word == kNone) {
             if (stackDepth == bottom) {

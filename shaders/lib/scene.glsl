@@ -44,7 +44,7 @@ void traceObjects(uint root, Ray ray, bool any, inout Hit hit) {
     while (true) {
         if (!endless && (word & kLeafBit) == 0u) {
             uvec4 children;
-            vec4 key = enterChildren(word, box, hit.t, children);
+            vec4 key = enterChildren(geometryRecord(word), box, hit.t, children);
             word = nextChild(key, children);
         } else {
             uint first = 0u;

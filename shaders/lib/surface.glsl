@@ -121,9 +121,10 @@ vec3 placeOnTorus(uint object, vec3 p, inout Surface s) {
 
 // Also sets the normal, smoothed where the mesh has normals.
 vec3 placeOnTriangle(Hit hit, bool smoothed, NormalArray normals, InstanceArray instances, inout Surface s) {
-    vec3 a = triangleCorner(hit.primitive, 0u);
-    vec3 b = triangleCorner(hit.primitive, 1u);
-    vec3 c = triangleCorner(hit.primitive, 2u);
+    GeometryRecord triangle = geometryRecord(hit.primitive);
+    vec3 a = uintBitsToFloat(triangle.a.xyz);
+    vec3 b = uintBitsToFloat(triangle.b.xyz);
+    vec3 c = uintBitsToFloat(triangle.c.xyz);
     vec3 weights = vec3(1.0 - hit.uv.x - hit.uv.y, hit.uv);
     vec3 p = weights.x * a + weights.y * b + weights.z * c;
     InstanceRecord instance = instances.at[hit.object];

@@ -4,9 +4,8 @@
 #include "lib/debug.glsl"
 #include "shared/scene_records.h"
 
-layout(set = 0, binding = TABLE_NODES) uniform usamplerBuffer nodeTable;
+layout(set = 0, binding = TABLE_GEOMETRY) uniform usamplerBuffer geometryTable;
 layout(set = 0, binding = TABLE_OBJECTS) uniform samplerBuffer objectTable;
-layout(set = 0, binding = TABLE_TRIANGLES) uniform samplerBuffer triangleTable;
 layout(set = 0, binding = TABLE_PHOTONS) uniform samplerBuffer photonTable;
 layout(set = 0, binding = TABLE_TEXTURES) uniform samplerBuffer textureTable;
 layout(set = 0, binding = TABLE_TEXTURE_COORDINATES) uniform samplerBuffer coordinateTable;
@@ -27,7 +26,16 @@ ObjectHeader objectHeader(uint object) {
     return ObjectHeader(bits.x, bits.y, bits.z, bits.w);
 }
 
-vec3 triangleCorner(uint triangle, uint corner) {
-    return texelFetch(triangleTable, int(triangle * kTexelsPerTriangle + corner)).xyz;
+// A triangle, its corners as bits, or a node of a hierarchy: see scene_records.h.
+struct GeometryRecord {
+    uvec4 a;
+    uvec4 b;
+    uvec4 c;
+};
+
+GeometryRecord geometryRecord(uint record) {
+    int texel = int(record * kTexelsPerRecord);
+    return GeometryRecord(texelFetch(geometryTable, texel), texelFetch(geometryTable, texel + 1),
+                          texelFetch(geometryTable, texel + 2));
 }
 #endif

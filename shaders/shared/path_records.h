@@ -19,8 +19,8 @@ SHARED_CONSTANT kRayInside = 0x80000000u;
 struct Hit {
     float t;        // distance along the ray [m]
     uint object;    // kNone: nothing was hit; of a CSG object, the leaf whose surface it is
-    uint primitive; // mesh: triangle of the triangle table; quadric: part, see kPartForm; 0 for other shapes. Of CSG
-                    // with kHitEnters where the ray enters the solid
+    uint primitive; // mesh: its triangle in the geometry table; quadric: part, see kPartForm; 0 for other shapes. Of
+                    // CSG with kHitEnters where the ray enters the solid
     vec2 uv;        // flat shapes: coordinates in the plane; triangle: barycentric of its second and third corner
 };
 DEVICE_ARRAY(Hit, HitArray);

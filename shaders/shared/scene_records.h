@@ -105,7 +105,7 @@ DEVICE_ARRAY(TargetRecord, TargetArray);
 //                a x^2 + 2b xy + 2c xz + 2d x + e y^2 + 2f yz + 2g y + h z^2 + 2i z + j and the box lo, hi in that
 //                space: 4 (a, e, h, j)  5 (b, c, f, lo.x)  6 (d, g, i, hi.x)  7 (lo.y, hi.y, lo.z, hi.z)
 //   torus:       0 1 2 likewise  4 (major, minor, -, -)
-//   csg:         0 (first leaf, leaf count, -, -) as bits; root: texel of the node table that holds its program
+//   csg:         0 (first leaf, leaf count, -, -) as bits; root: texel of the geometry table that holds its program
 // Leaves of CSG are objects of their own, behind those that rays look for.
 SHARED_CONSTANT kTexelsPerObject = 8u;
 SHARED_CONSTANT kShapeSphere = 0u;
@@ -126,16 +126,19 @@ SHARED_CONSTANT kShapeSmooth = 0x800u;   // mesh: it has normals
 // box.
 SHARED_CONSTANT kPartForm = 0u;
 
-// A CSG program is one texel of the node table: steps of two bits each, the first in the lowest, postfix, on a stack of
-// truth values. 32 leaves take 63 steps.
+// A CSG program is one texel of the geometry table: steps of two bits each, the first in the lowest, postfix, on a
+// stack of truth values. 32 leaves take 63 steps.
 SHARED_CONSTANT kCsgLeaf = 0u; // pushes whether the point is inside the next leaf
 SHARED_CONSTANT kCsgUnion = 1u;
 SHARED_CONSTANT kCsgIntersection = 2u;
 SHARED_CONSTANT kCsgDifference = 3u; // the lower of the two without the upper
 
-// A triangle is three texels of the triangle table: its corners, object space [m]; w of the first is unused,
-// and smooth normals, where a mesh has them, stand in the array below, three per triangle.
-SHARED_CONSTANT kTexelsPerTriangle = 3u;
+// The geometry table consists of records of three texels, so that a ray reads either kind by the same loads: first the
+// triangles of all meshes, then the nodes of the hierarchies, then the programs of CSG.
+SHARED_CONSTANT kTexelsPerRecord = 3u;
+
+// The record of a triangle: its corners, object space [m], as bits; w is unused. Smooth normals, where a mesh has them,
+// stand in an array, three per triangle.
 DEVICE_ARRAY(vec3, NormalArray); // zero vector: flat
 
 // The texture coordinates of a triangle's corners are two texels of a table of their own, which holds nothing where the
@@ -161,26 +164,29 @@ struct InstanceRecord {
 };
 DEVICE_ARRAY(InstanceRecord, InstanceArray);
 
-// A node of the 4-wide BVH is four texels of the node table:
-//   (origin.xyz, exponents x | y << 8 | z << 16) (four child words) (lo.x, lo.y, lo.z, hi.x of the children, 8 bits
-//   each) (hi.y, hi.z, -, -)
-// A child's box is origin + byte * 2^(exponent - 127). Child word: inner = node index; leaf = bit 31, count in bits
-// 27..30, first element in 0..26; kNone = no child.
-SHARED_CONSTANT kTexelsPerNode = 4u;
+// The record of a node of the 4-wide BVH:
+//   (origin.xyz, exponents x | y << 8 | z << 16 | kind 0 << 24 | kind 1 << 28)
+//   (lo.x, lo.y, lo.z, hi.x of the children, 8 bits each)
+//   (hi.y, hi.z, first node | kind 2 << 28, first element | kind 3 << 28)
+// A child's box is origin + byte * 2^(exponent - 127). Its kind: 0 = none, kInnerChild = a node, else a leaf of so many
+// elements. The nodes among the children follow one another from the first node on, the leaves' elements from the first
+// element on. What a ray has still to visit is a word: a node's record, or for a leaf bit 31, its count in bits 27..30
+// and its first element, of meshes the record of a triangle, in 0..26.
+SHARED_CONSTANT kInnerChild = 15u;
 SHARED_CONSTANT kLeafBit = 0x80000000u;
 SHARED_CONSTANT kLeafCountShift = 27u;
-SHARED_CONSTANT kLeafCountMax = 15u;
+SHARED_CONSTANT kLeafCountMax = 14u;
 SHARED_CONSTANT kLeafFirstMask = 0x07ffffffu;
+SHARED_CONSTANT kChildKindShift = 28u;
 
 // Uniform texel buffers, one descriptor set bound once: the tables that traversal and gathering read most.
-#define TABLE_NODES 0
+#define TABLE_GEOMETRY 0
 #define TABLE_OBJECTS 1
-#define TABLE_TRIANGLES 2
-#define TABLE_PHOTONS 3
-#define TABLE_TEXTURES 4
-#define TABLE_TEXTURE_COORDINATES 5
-#define TABLE_DEBUG 6 // see lib/debug.glsl
-#define TABLE_COUNT 7
+#define TABLE_PHOTONS 2
+#define TABLE_TEXTURES 3
+#define TABLE_TEXTURE_COORDINATES 4
+#define TABLE_DEBUG 5 // see lib/debug.glsl
+#define TABLE_COUNT 6
 
 SHARED_END
 #endif

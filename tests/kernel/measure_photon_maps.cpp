@@ -95,7 +95,7 @@ void measure(std::uint32_t count) {
     const gpu::Array<shared::VisiblePoint> points(device.context, std::span(walls), "visible points");
     const gpu::Array<vec3> gathered(device.context, queries, "gathered light");
     const gpu::Array<float> radii(device.context, queries, "radii");
-    device.tables.set(TABLE_NODES, gpu::Buffer(), gpu::TexelFormat::Uint4); // declared with the others, never read
+    device.tables.set(TABLE_GEOMETRY, gpu::Buffer(), gpu::TexelFormat::Uint4); // declared with the others, never read
     device.tables.set(TABLE_PHOTONS, table.buffer(), gpu::TexelFormat::Float4);
     render::PhotonTree tree(device);
     render::PhotonGrid grid(device);

@@ -11,6 +11,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <random>
+#include <span>
 #include <vector>
 
 using namespace hyalite;
@@ -33,10 +34,10 @@ double scaleOf(std::uint32_t frame, int axis) {
 
 // A child's box, from the layout in scene_records.h: origin + byte * 2^(exponent - 127), exactly.
 Box childBox(const Bvh& bvh, std::size_t node, int child) {
-    const glm::uvec4* texels = &bvh.texels[node * shared::kTexelsPerNode];
+    const glm::uvec4* texels = &bvh.texels[node * shared::kTexelsPerRecord];
     const auto byte = [&](std::uint32_t word) { return static_cast<double>(word >> (8 * child) & 255U); };
-    const std::array<std::uint32_t, 3> low{texels[2].x, texels[2].y, texels[2].z};
-    const std::array<std::uint32_t, 3> high{texels[2].w, texels[3].x, texels[3].y};
+    const std::array<std::uint32_t, 3> low{texels[1].x, texels[1].y, texels[1].z};
+    const std::array<std::uint32_t, 3> high{texels[1].w, texels[2].x, texels[2].y};
     Box box;
     for (int axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<std::size_t>(axis);
@@ -48,13 +49,17 @@ Box childBox(const Bvh& bvh, std::size_t node, int child) {
     return box;
 }
 
+glm::uvec4 wordsOf(const Bvh& bvh, std::size_t node) {
+    return childWords(std::span(bvh.texels).subspan(node * shared::kTexelsPerRecord, shared::kTexelsPerRecord));
+}
+
 class Walk {
 public:
     Walk(const Bvh& bvh, const Boxes& boxes) : bvh_(bvh), boxes_(boxes), visits_(boxes.size(), 0) {}
 
     void check() {
         descend(0, Box{}, 1);
-        CHECK(nodesSeen_ * shared::kTexelsPerNode == bvh_.texels.size());
+        CHECK(nodesSeen_ * shared::kTexelsPerRecord == bvh_.texels.size());
         CHECK(std::all_of(visits_.begin(), visits_.end(), [](int visits) { return visits == 1; }));
         CHECK(outside_ == 0);
         CHECK(largestLeaf_ <= kLeafSize);
@@ -66,15 +71,16 @@ private:
     // `around`: what all boxes on the way here have in common; `stack`: entries in use when this node is popped.
     void descend(std::size_t node, const Box& around, std::uint32_t stack) {
         ++nodesSeen_;
+        const glm::uvec4 words = wordsOf(bvh_, node);
         std::uint32_t children = 0;
         for (int i = 0; i < 4; ++i) {
-            children += bvh_.texels[node * shared::kTexelsPerNode + 1][i] != shared::kNone ? 1U : 0U;
+            children += words[i] != shared::kNone ? 1U : 0U;
         }
         // In the worst order the child that is descended into is popped while all its siblings wait.
         const std::uint32_t withChildren = stack - 1 + children;
         deepestStack_ = std::max({deepestStack_, stack, withChildren});
         for (int i = 0; i < 4; ++i) {
-            const std::uint32_t word = bvh_.texels[node * shared::kTexelsPerNode + 1][i];
+            const std::uint32_t word = words[i];
             if (word == shared::kNone) {
                 continue;
             }
@@ -142,8 +148,8 @@ Boxes randomTriangles(int count, float halfSide, float size, const vec3& center 
 
 TEST_CASE("no triangle, one triangle and few triangles make hierarchies") {
     const Bvh none = buildBvh({}, kLeafSize);
-    REQUIRE(none.texels.size() == shared::kTexelsPerNode);
-    CHECK(none.texels[1] == glm::uvec4(shared::kNone));
+    REQUIRE(none.texels.size() == shared::kTexelsPerRecord);
+    CHECK(wordsOf(none, 0) == glm::uvec4(shared::kNone));
     for (const int count : {1, 2, 4, 5, 17}) {
         checkHierarchy(randomTriangles(count, 1, 0.3F));
     }
@@ -233,11 +239,11 @@ TEST_CASE("a relocated hierarchy leads to the same elements at their new places"
     Bvh moved = buildBvh(boxes, kLeafSize);
     const Bvh still = moved;
     relocate(moved, 1000, 20000);
-    for (std::size_t node = 0; node < still.texels.size(); node += shared::kTexelsPerNode) {
+    for (std::size_t node = 0; node < still.texels.size() / shared::kTexelsPerRecord; ++node) {
         for (int i = 0; i < 4; ++i) {
-            const std::uint32_t word = still.texels[node + 1][i];
+            const std::uint32_t word = wordsOf(still, node)[i];
             const std::uint32_t shift = (word & shared::kLeafBit) != 0 ? 20000U : 1000U;
-            CHECK(moved.texels[node + 1][i] == (word == shared::kNone ? word : word + shift));
+            CHECK(wordsOf(moved, node)[i] == (word == shared::kNone ? word : word + shift));
         }
     }
 }
