@@ -7,6 +7,9 @@
 
 namespace hyalite::bench {
 
+// The rays stand in the order in which a render takes them already.
+constexpr std::uint32_t kInOrder = 0;
+
 DeviceTracer::DeviceTracer(render::Device& device, const render::DeviceScene& deviceScene)
     : device_(device), deviceScene_(deviceScene),
       traceClosest_(device.kernel("trace_closest", deviceScene.specialization)),
@@ -26,12 +29,13 @@ void DeviceTracer::load(const RaySet& set) {
 void DeviceTracer::trace() {
     const auto count = static_cast<std::uint32_t>(rays_.count());
     if (shadow_) {
-        device_.commands.run(traceShadow_,
-                             shared::TraceShadowArguments{rays_, contributions_, direct_, count, deviceScene_.rootNode},
-                             count);
+        device_.commands.run(
+            traceShadow_,
+            shared::TraceShadowArguments{rays_, contributions_, direct_, count, deviceScene_.rootNode, kInOrder},
+            count);
     } else {
-        device_.commands.run(traceClosest_, shared::TraceClosestArguments{rays_, hits_, count, deviceScene_.rootNode},
-                             count);
+        device_.commands.run(
+            traceClosest_, shared::TraceClosestArguments{rays_, hits_, count, deviceScene_.rootNode, kInOrder}, count);
     }
     device_.commands.finish();
 }

@@ -89,7 +89,8 @@ private:
         add("gather", "points", count, [&] {
             device_.commands.run(gather,
                                  shared::GatherRadianceArguments{points_, grid.cellStarts(), gathered_, grid.record(),
-                                                                 radius, count, scene_.render.maxDepth},
+                                                                 radius, count, scene_.render.maxDepth,
+                                                                 deviceScene_.widthOf(count)},
                                  count);
             device_.commands.finish();
         });

@@ -3,6 +3,8 @@
 #include "render/camera_paths.h"
 #include "render/light_sampler.h"
 
+#include "shaders/shared/pixel_order.h"
+
 #include <random>
 
 namespace hyalite::bench {
@@ -11,6 +13,16 @@ namespace {
 
 // Far enough for a bounce after the first hit.
 constexpr std::uint32_t kSegments = 3;
+
+// The rays of a picture's pixels in the order in which threads take them.
+std::vector<shared::Ray> inTiles(std::span<const shared::Ray> pixels, std::uint32_t width) {
+    std::vector<shared::Ray> rays;
+    const auto count = static_cast<std::uint32_t>(pixels.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+        rays.push_back(pixels[shared::pixelOfThread(i, i / (shared::kTileSide * width), width, count)]);
+    }
+    return rays;
+}
 
 std::vector<shared::Ray> copyOf(const gpu::Array<shared::Ray>& rays, std::size_t count) {
     const auto all = rays.host().first(count);
@@ -30,6 +42,7 @@ std::vector<shared::Ray> shuffled(std::vector<shared::Ray> rays) {
 
 std::vector<RaySet> makeRaySets(render::Device& device, const Scene& scene, const render::DeviceScene& deviceScene) {
     const std::uint32_t pixels = scene.camera.resolution.x * scene.camera.resolution.y;
+    const std::uint32_t width = scene.camera.resolution.x;
     Scene settings; // CameraPaths reads nothing else of it
     settings.render = scene.render;
     settings.render.maxDepth = kSegments;
@@ -42,7 +55,7 @@ std::vector<RaySet> makeRaySets(render::Device& device, const Scene& scene, cons
     std::vector<RaySet> sets;
     paths.generate(0);
     device.commands.finish();
-    sets.push_back({"camera", false, copyOf(paths.queue().rays, pixels)});
+    sets.push_back({"camera", false, inTiles(paths.queue().rays.host().first(pixels), width)});
     paths.follow(0, visiblePoints, met, nullptr, [&](std::uint32_t depth) {
         const render::CameraQueue& queue = paths.queue();
         device.commands.run(bouncePaths,
@@ -52,7 +65,7 @@ std::vector<RaySet> makeRaySets(render::Device& device, const Scene& scene, cons
         if (depth == 1) {
             lights.sample(visiblePoints, shared::kNone, 0, kSegments);
             device.commands.finish();
-            RaySet shadow{"shadow", true, lights.shadowRays().read()};
+            RaySet shadow{"shadow", true, inTiles(lights.shadowRays().host(), width)};
             std::erase_if(shadow.rays, [](const shared::Ray& ray) { return ray.tMax <= 0; });
             sets.push_back(std::move(shadow));
         }

@@ -180,6 +180,7 @@ constexpr auto kTable = std::to_array<Tolerance>({
     real("cast_shadow_photons", "power", Measure::Vector, kWeight),
     place("cast_shadow_photons", "next origin"),
     angle("cast_shadow_photons", "next direction"),
+    exact("scan_group", "sum"),
     exact("sum_chunks", "sum"),
     exact("scan_chunks", "sum"),
     exact("compact_camera_paths", "ray"),

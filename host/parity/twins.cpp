@@ -21,6 +21,7 @@ constexpr auto kTwins = std::to_array<std::pair<std::string_view, TwinFunction>>
     {"emit_caustic_photons", compareEmitCausticPhotons},
     {"scatter_photon", compareScatterPhoton},
     {"cast_shadow_photons", compareCastShadowPhotons},
+    {"scan_group", compareScanGroup},
     {"sum_chunks", compareSumChunks},
     {"scan_chunks", compareScanChunks},
     {"compact_camera_paths", compareCompactCameraPaths},

@@ -48,6 +48,7 @@ void compareEmitCausticPhotons(const Stage& stage);
 void compareScatterPhoton(const Stage& stage);
 void compareCastShadowPhotons(const Stage& stage);
 void compareSumChunks(const Stage& stage); // twins_queues.cpp
+void compareScanGroup(const Stage& stage);
 void compareScanChunks(const Stage& stage);
 void compareCompactCameraPaths(const Stage& stage);
 void compareCompactPhotonPaths(const Stage& stage);

@@ -40,6 +40,21 @@ void compareCompaction(const Stage& stage) {
 
 } // namespace
 
+void compareScanGroup(const Stage& stage) {
+    const auto args = stage.seen.arguments<shared::ScanGroupArguments>();
+    const auto values = stage.seen.before<shared::uint>(args.values, args.count);
+    const auto sums = stage.seen.after<shared::uint>(args.sums, std::size_t{args.count} + 1);
+    std::uint32_t sum = 0;
+    for (std::size_t i = 0; i <= args.count; ++i) {
+        Answer device;
+        device.exact("sum", sums[i]);
+        Answer expected;
+        expected.exact("sum", sum);
+        stage.compareExact(i, device, expected);
+        sum += i < args.count ? values[i] : 0;
+    }
+}
+
 void compareSumChunks(const Stage& stage) {
     const auto args = stage.seen.arguments<shared::SumChunksArguments>();
     const auto values = stage.seen.before<shared::uint>(args.values, args.count);

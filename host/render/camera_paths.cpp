@@ -38,15 +38,31 @@ RaysTraced CameraPaths::follow(std::uint32_t pass, const gpu::Array<shared::Visi
     CameraQueue& queue = queue_;
     RaysTraced rays;
     for (std::uint32_t depth = 1; queue.count > 0; ++depth) {
+        const std::uint32_t width = deviceScene_.widthOf(queue.count);
         commands.run(traceClosest_,
-                     shared::TraceClosestArguments{queue.rays, queue.hits, queue.count, deviceScene_.rootNode},
+                     shared::TraceClosestArguments{queue.rays, queue.hits, queue.count, deviceScene_.rootNode, width},
                      queue.count);
         commands.run(shadeSurface_,
-                     shared::ShadeSurfaceArguments{queue.rays, queue.hits, queue.paths, deviceScene_.materials,
-                                                   deviceScene_.lights, deviceScene_.normals, deviceScene_.instances,
-                                                   visiblePoints, emitted, queue.nextRays, queue.nextPaths, queue.alive,
-                                                   queue.count, depth, scene_.render.maxDepth, pass,
-                                                   /*split*/ 0, /*minWeight*/ 0, roughPoints_},
+                     shared::ShadeSurfaceArguments{queue.rays,
+                                                   queue.hits,
+                                                   queue.paths,
+                                                   deviceScene_.materials,
+                                                   deviceScene_.lights,
+                                                   deviceScene_.normals,
+                                                   deviceScene_.instances,
+                                                   visiblePoints,
+                                                   emitted,
+                                                   queue.nextRays,
+                                                   queue.nextPaths,
+                                                   queue.alive,
+                                                   queue.count,
+                                                   depth,
+                                                   scene_.render.maxDepth,
+                                                   pass,
+                                                   /*split*/ 0,
+                                                   /*minWeight*/ 0,
+                                                   roughPoints_,
+                                                   width},
                      queue.count);
         rays.camera += queue.count;
         if (direct != nullptr) {

@@ -28,7 +28,8 @@ void DebugView::renderPass(std::uint32_t pass) {
 void DebugView::drawSurfaces() {
     const CameraQueue& queue = cameraPaths_.queue();
     device_.commands.run(traceClosest_,
-                         shared::TraceClosestArguments{queue.rays, queue.hits, queue.count, deviceScene_.rootNode},
+                         shared::TraceClosestArguments{queue.rays, queue.hits, queue.count, deviceScene_.rootNode,
+                                                       deviceScene_.widthOf(queue.count)},
                          queue.count);
     const std::uint32_t shown = quantity_ == DebugQuantity::Depth ? shared::kShowDepth : shared::kShowNormals;
     device_.commands.run(showSurface_,

@@ -17,15 +17,16 @@ void LightSampler::sample(const gpu::Array<shared::VisiblePoint>& visiblePoints,
     device_.commands.run(sampleLights_,
                          shared::SampleLightsArguments{visiblePoints, deviceScene_.lights, shadowRays_, contributions_,
                                                        count, deviceScene_.lightCount, light, pass, maxDepth,
-                                                       bounceDepth},
+                                                       bounceDepth, deviceScene_.widthOf(count)},
                          count);
 }
 
 void LightSampler::trace(const gpu::Array<glm::vec3>& direct) {
     const auto count = static_cast<std::uint32_t>(shadowRays_.count());
-    device_.commands.run(
-        traceShadow_, shared::TraceShadowArguments{shadowRays_, contributions_, direct, count, deviceScene_.rootNode},
-        count);
+    device_.commands.run(traceShadow_,
+                         shared::TraceShadowArguments{shadowRays_, contributions_, direct, count, deviceScene_.rootNode,
+                                                      deviceScene_.widthOf(count)},
+                         count);
 }
 
 } // namespace hyalite::render

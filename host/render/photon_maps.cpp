@@ -121,19 +121,26 @@ gpu::Array<shared::Photon> PhotonMaps::computeIrradiance(const gpu::Array<shared
 
 void PhotonMaps::estimateGlobal(const gpu::Array<shared::VisiblePoint>& x, std::uint32_t kinds,
                                 const gpu::Array<glm::vec3>& gathered, const gpu::Array<float>& radii) const {
-    estimateGlobal_.run(
-        device_, global_.record(), x, static_cast<std::uint32_t>(x.count()),
-        {.nearest = settings_.nearest, .radius = globalRadius_, .kinds = kinds, .maxDepth = scene_.render.maxDepth},
-        {.filter = settings_.filter, .coneConstant = static_cast<float>(settings_.coneConstant)}, gathered, radii);
+    const auto count = static_cast<std::uint32_t>(x.count());
+    estimateGlobal_.run(device_, global_.record(), x, count,
+                        {.nearest = settings_.nearest,
+                         .radius = globalRadius_,
+                         .kinds = kinds,
+                         .maxDepth = scene_.render.maxDepth,
+                         .width = deviceScene_.widthOf(count)},
+                        {.filter = settings_.filter, .coneConstant = static_cast<float>(settings_.coneConstant)},
+                        gathered, radii);
 }
 
 void PhotonMaps::estimateCaustics(const gpu::Array<shared::VisiblePoint>& x, const gpu::Array<glm::vec3>& gathered,
                                   const gpu::Array<float>& radii) const {
-    estimateCaustics_.run(device_, caustic_.record(), x, static_cast<std::uint32_t>(x.count()),
+    const auto count = static_cast<std::uint32_t>(x.count());
+    estimateCaustics_.run(device_, caustic_.record(), x, count,
                           {.nearest = settings_.causticNearest,
                            .radius = causticRadius_,
                            .kinds = 1U << shared::kPhotonCaustic,
-                           .maxDepth = scene_.render.maxDepth},
+                           .maxDepth = scene_.render.maxDepth,
+                           .width = deviceScene_.widthOf(count)},
                           {.filter = settings_.causticFilter,
                            .coneConstant = static_cast<float>(settings_.coneConstant),
                            .maxChange = settings_.differentialChecking ? kEdgeChange : 0},

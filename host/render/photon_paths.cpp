@@ -47,7 +47,8 @@ std::uint32_t PhotonPaths::tracePiece(const PhotonPass& pass, std::uint32_t firs
     for (std::uint32_t depth = 1; queue.count > 0 && depth < maxDepth; ++depth) {
         reservePhotonSlots(device_, photons_, slots + queue.count);
         commands.run(traceClosest_,
-                     shared::TraceClosestArguments{queue.rays, queue.hits, queue.count, deviceScene_.rootNode},
+                     shared::TraceClosestArguments{queue.rays, queue.hits, queue.count, deviceScene_.rootNode,
+                                                   /*width*/ 0},
                      queue.count);
         commands.run(scatterPhoton_,
                      shared::ScatterPhotonArguments{queue.rays, queue.hits, queue.paths, deviceScene_.materials,

@@ -74,9 +74,10 @@ void RadianceEstimate::run(Device& device, const shared::PhotonMapRecord& map, s
                            shared::ColorArray gathered, shared::FloatArray radii) const {
     checkNearest(search.nearest, 2, capacity_);
     device.commands.run(estimateRadiance_,
-                        shared::EstimateRadianceArguments{
-                            points, map, gathered, radii, search.radius, density.coneConstant, density.maxChange,
-                            search.nearest, search.kinds, filterNumber(density.filter), count, search.maxDepth},
+                        shared::EstimateRadianceArguments{points, map, gathered, radii, search.radius,
+                                                          density.coneConstant, density.maxChange, search.nearest,
+                                                          search.kinds, filterNumber(density.filter), count,
+                                                          search.maxDepth, search.width},
                         count);
 }
 

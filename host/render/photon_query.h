@@ -21,6 +21,7 @@ struct PhotonSearch {
     float radius = 0;           // none farther away [m]; of a grid, at most the radius that it was built for
     std::uint32_t kinds = 0;    // bit shared::kPhoton… is set for every kind that counts
     std::uint32_t maxDepth = 0; // segments of the photon's path and the camera's together
+    std::uint32_t width = 0;    // of the picture, where its pixels ask
 };
 
 struct PhotonDensity {

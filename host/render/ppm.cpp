@@ -118,7 +118,7 @@ void Ppm::gather(const Photons& photons, std::uint32_t pass) {
     const std::uint32_t pixels = film_.pixelCount();
     device_.commands.run(gatherRadiance_,
                          shared::GatherRadianceArguments{visiblePoints_, grid_.cellStarts(), gathered_, grid_.record(),
-                                                         radius, pixels, scene_.render.maxDepth},
+                                                         radius, pixels, scene_.render.maxDepth, film_.resolution().x},
                          pixels);
     counts_.photonRays += photonPaths_.raysTraced() - raysBefore;
     (photons.layer == kCaustic ? counts_.causticPhotonsEmitted : counts_.photonsEmitted) += photons.count;

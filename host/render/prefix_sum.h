@@ -19,6 +19,7 @@ public:
 private:
     void scan(Device& device, shared::UintArray values, shared::UintArray sums, std::uint32_t count, std::size_t level);
 
+    gpu::Kernel scanGroup_;
     gpu::Kernel sumChunks_;
     gpu::Kernel scanChunks_;
     gpu::Array<shared::uint> zero_;

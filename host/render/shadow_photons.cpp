@@ -34,7 +34,8 @@ std::uint32_t ShadowPhotonPaths::castPiece(std::uint32_t first, std::uint32_t of
     for (std::uint32_t depth = 1; queue.count > 0 && depth <= shared::kMaxDepth; ++depth) {
         reservePhotonSlots(device_, photons_, slots + queue.count);
         commands.run(traceClosest_,
-                     shared::TraceClosestArguments{queue.rays, queue.hits, queue.count, deviceScene_.rootNode},
+                     shared::TraceClosestArguments{queue.rays, queue.hits, queue.count, deviceScene_.rootNode,
+                                                   /*width*/ 0},
                      queue.count);
         commands.run(castShadowPhotons_,
                      shared::CastShadowPhotonsArguments{queue.rays, queue.hits, queue.paths, deviceScene_.materials,

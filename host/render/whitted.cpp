@@ -57,34 +57,51 @@ void Whitted::renderPass(std::uint32_t pass) {
 
 void Whitted::shade(std::uint32_t pass, std::uint32_t depth) {
     CameraQueue& queue = level_.queue;
-    device_.commands.run(traceClosest_,
-                         shared::TraceClosestArguments{queue.rays, queue.hits, queue.count, deviceScene_.rootNode},
-                         queue.count);
+    const std::uint32_t width = deviceScene_.widthOf(queue.count);
+    device_.commands.run(
+        traceClosest_, shared::TraceClosestArguments{queue.rays, queue.hits, queue.count, deviceScene_.rootNode, width},
+        queue.count);
     // The camera ray itself is neither reflection nor refraction
     const std::uint32_t maxDepth = scene_.render.maxDepth + 1;
     device_.commands.run(shadeSurface_,
-                         shared::ShadeSurfaceArguments{
-                             queue.rays, queue.hits, queue.paths, deviceScene_.materials, deviceScene_.lights,
-                             deviceScene_.normals, deviceScene_.instances, level_.visiblePoints, level_.emitted,
-                             queue.nextRays, queue.nextPaths, queue.alive, queue.count, depth, maxDepth, pass, kSplit,
-                             static_cast<float>(scene_.render.minWeight), level_.roughPoints},
+                         shared::ShadeSurfaceArguments{queue.rays,
+                                                       queue.hits,
+                                                       queue.paths,
+                                                       deviceScene_.materials,
+                                                       deviceScene_.lights,
+                                                       deviceScene_.normals,
+                                                       deviceScene_.instances,
+                                                       level_.visiblePoints,
+                                                       level_.emitted,
+                                                       queue.nextRays,
+                                                       queue.nextPaths,
+                                                       queue.alive,
+                                                       queue.count,
+                                                       depth,
+                                                       maxDepth,
+                                                       pass,
+                                                       kSplit,
+                                                       static_cast<float>(scene_.render.minWeight),
+                                                       level_.roughPoints,
+                                                       width},
                          queue.count);
     counts_.cameraRays += queue.count;
 }
 
 void Whitted::sampleEveryLight(std::uint32_t pass) {
     const std::uint32_t count = level_.queue.count;
-    device_.commands.clear(level_.direct.buffer());
+    const std::uint32_t width = deviceScene_.widthOf(count);
+    device_.commands.clear(level_.direct.buffer(), std::size_t{count} * sizeof(glm::vec3));
     for (std::uint32_t light = 0; light < deviceScene_.lightCount; ++light) {
-        device_.commands.run(sampleLights_,
-                             shared::SampleLightsArguments{level_.visiblePoints, deviceScene_.lights, level_.shadowRays,
-                                                           level_.contributions, count, deviceScene_.lightCount, light,
-                                                           pass,
-                                                           /*maxDepth*/ scene_.render.maxDepth + 2, /*bounceDepth*/ 0},
-                             count);
+        device_.commands.run(
+            sampleLights_,
+            shared::SampleLightsArguments{level_.visiblePoints, deviceScene_.lights, level_.shadowRays,
+                                          level_.contributions, count, deviceScene_.lightCount, light, pass,
+                                          /*maxDepth*/ scene_.render.maxDepth + 2, /*bounceDepth*/ 0, width},
+            count);
         device_.commands.run(traceShadow_,
                              shared::TraceShadowArguments{level_.shadowRays, level_.contributions, level_.direct, count,
-                                                          deviceScene_.rootNode},
+                                                          deviceScene_.rootNode, width},
                              count);
         counts_.shadowRays += count;
         counts_.shadowRays += roughLight_.sample(level_.roughPoints, level_.direct, count, light, pass);

@@ -12,7 +12,7 @@ void main() {
         return;
     }
     uint chunks = args.count / 3u;
-    uint axis = i / chunks, chunk = i % chunks;
+    uint axis = quotient(i, chunks), chunk = i - axis * chunks;
     // By axis, then digit, then chunk: their exclusive sums are where each chunk's photons of each digit go
     uint counters = axis * kRadix * chunks + chunk;
     for (uint digit = 0u; digit < kRadix; ++digit) {

@@ -120,7 +120,7 @@ Disc stopAtEdge(Disc whole, VisiblePoint x, vec3 normal) {
 }
 
 void main() {
-    uint i = threadIndex();
+    uint i = threadPixel(args.width, args.count);
     if (i >= args.count) {
         return;
     }

@@ -41,7 +41,7 @@ vec3 photonFlux(VisiblePoint x, vec3 normal, uint photon) {
 }
 
 void main() {
-    uint i = threadIndex();
+    uint i = threadPixel(args.width, args.count);
     if (i >= args.count) {
         return;
     }

@@ -17,7 +17,8 @@ void main() {
     CameraRecord camera = args.camera;
     Sampler sampler_ = cameraSampler(args.seed, args.pass, pixel);
     vec2 inPixel = sampleUnit(sampler_, kCameraPixel);
-    vec2 raster = vec2(pixel % camera.width, pixel / camera.width) + inPixel;
+    uint row = quotient(pixel, camera.width);
+    vec2 raster = vec2(pixel - row * camera.width, row) + inPixel;
     vec2 image = vec2(2.0, -2.0) * raster / vec2(camera.width, camera.height) + vec2(-1.0, 1.0);
     vec3 direction = camera.forward + image.x * camera.right + image.y * camera.up;
     vec3 onLens = vec3(0.0);

@@ -10,7 +10,7 @@
 layout(push_constant, scalar) uniform Push { SampleLightsArguments args; };
 
 void main() {
-    uint i = threadIndex();
+    uint i = threadPixel(args.width, args.count);
     if (i >= args.count) {
         return;
     }

@@ -149,7 +149,7 @@ void scatter(uint slot, Surface s, Hit hit, MaterialRecord material, vec3 wo, Ca
 }
 
 void main() {
-    uint id = threadIndex();
+    uint id = threadPixel(args.width, args.count);
     if (id >= args.count) {
         return;
     }

@@ -13,7 +13,7 @@ void main() {
         return;
     }
     uint chunks = args.count / 3u;
-    uint axis = i / chunks, chunk = i % chunks;
+    uint axis = quotient(i, chunks), chunk = i - axis * chunks;
     uint counters = axis * kRadix * chunks + chunk;
     uint end = min((chunk + 1u) * kSortChunk, args.stored);
     for (uint at = chunk * kSortChunk; at < end; ++at) {

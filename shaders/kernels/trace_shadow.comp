@@ -8,7 +8,7 @@
 layout(push_constant, scalar) uniform Push { TraceShadowArguments args; };
 
 void main() {
-    uint i = threadIndex();
+    uint i = threadPixel(args.width, args.count);
     if (i >= args.count) {
         return;
     }

@@ -2,6 +2,8 @@
 #ifndef HYALITE_THREAD_GLSL
 #define HYALITE_THREAD_GLSL
 #include "shared/limits.h"
+#include "shared/pixel_order.h"
+#include "lib/quotient.glsl"
 
 layout(local_size_x = kGroupSize) in;
 
@@ -14,10 +16,17 @@ uint groupOfRow() {
     uint block = max(gl_NumWorkGroups.x / kWorkers, 1u);
     uint group = gl_WorkGroupID.x;
     bool isDealt = group < gl_NumWorkGroups.x / kWorkers * kWorkers; // the rest stays where it is
-    return isDealt ? group % block * kWorkers + group / block : group;
+    uint worker = quotient(group, block);
+    return isDealt ? (group - worker * block) * kWorkers + worker : group;
 }
 
 uint threadIndex() {
     return (gl_WorkGroupID.y * kGroupsPerRow + groupOfRow()) * gl_WorkGroupSize.x + gl_LocalInvocationIndex;
+}
+
+// The pixel of this thread; `width` of the picture, or 0 where threads take elements in their order.
+uint threadPixel(uint width, uint count) {
+    uint i = threadIndex();
+    return width == 0u ? i : pixelOfThread(i, quotient(i, kTileSide * width), width, count);
 }
 #endif

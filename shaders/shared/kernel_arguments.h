@@ -24,6 +24,7 @@ struct TraceClosestArguments {
     HitArray hits; // out
     uint count;
     uint rootNode; // of the BVH over objects
+    uint width;    // where these are the pixels of a picture, its width [pixels]: see pixelOfThread; else 0
 };
 
 // Follows one of reflection and refraction (split = 0) or both (split = 1); see the kernel for what stands where.
@@ -47,6 +48,7 @@ struct ShadeSurfaceArguments {
     uint split;
     float minWeight;             // a next ray whose throughput is below this in every channel is not followed
     RoughPointArray roughPoints; // out, one per path; untouched in scenes without rough lobes
+    uint width; // where these are the pixels of a picture, its width [pixels]: see pixelOfThread; else 0
 };
 
 struct SampleRoughLightsArguments {
@@ -72,6 +74,7 @@ struct SampleLightsArguments {
     uint maxDepth;
     uint bounceDepth; // 0: all of them, and nothing else brings their light; else those of this depth alone, from which
                       // paths go on and may meet the light too
+    uint width;       // where these are the pixels of a picture, its width [pixels]: see pixelOfThread; else 0
 };
 
 // Sends camera paths on from the diffuse surfaces where they have just ended.
@@ -93,6 +96,7 @@ struct TraceShadowArguments {
     ColorArray direct; // in and out: the contributions of unoccluded rays are added
     uint count;
     uint rootNode;
+    uint width; // where these are the pixels of a picture, its width [pixels]: see pixelOfThread; else 0
 };
 
 struct EmitPhotonsArguments {
@@ -176,6 +180,12 @@ struct CompactPhotonPathsArguments {
     uint count;
 };
 
+struct ScanGroupArguments {
+    UintArray values;
+    UintArray sums; // out: exclusive sums, count + 1 of them: the last is the total
+    uint count;     // values
+};
+
 SHARED_CONSTANT kScanChunk = 128u; // values one thread of the scan adds up
 
 struct SumChunksArguments {
@@ -229,6 +239,7 @@ struct GatherRadianceArguments {
     float radius; // search radius [m]
     uint count;
     uint maxDepth;
+    uint width; // where these are the pixels of a picture, its width [pixels]: see pixelOfThread; else 0
 };
 
 // Asks at every visible point; a depth of 0 there is no question.
@@ -263,6 +274,7 @@ struct EstimateRadianceArguments {
     uint filterKind; // kFilter…
     uint count;
     uint maxDepth;
+    uint width; // where these are the pixels of a picture, its width [pixels]: see pixelOfThread; else 0
 };
 
 // Starts final gathering: one ray from each visible point into its hemisphere.

@@ -58,7 +58,9 @@ class Comparison(CliTest):
             ("reflections.yaml",),
         ]
         for scene, *options in runs:
-            result = self.succeed_json("parity", scene_file(scene), *small(passes=2, photons=2048), *options)
+            # One of them has so many photons that their prefix sums take several dispatches
+            photons = 20000 if scene == "glass-ball.yaml" else 2048
+            result = self.succeed_json("parity", scene_file(scene), *small(passes=2, photons=photons), *options)
             seen |= {stage["name"] for stage in result["stages"] if stage["has_twin"]}
         self.assertEqual(kernels - seen, set())
 
@@ -127,6 +129,10 @@ def copy_shaders(to):
     return to
 
 
+# Stages that run with many photons alone: see kFewValues of prefix_sum.cpp.
+PHOTONS = {"split_nodes": 4096, "sum_chunks": 20000, "scan_chunks": 20000}
+
+
 class PlantedFaults(CliTest):
     def test_every_planted_fault_is_found_at_the_right_stage(self):
         self.assertGreaterEqual(len(FAULTS), 20)
@@ -137,7 +143,7 @@ class PlantedFaults(CliTest):
                 original = path.read_text()
                 self.assertIn(right, original, f"{file} has changed: plant the fault anew")
                 path.write_text(original.replace(right, wrong, 1))
-                options = small(passes=2 if stage in ("resolve_film", "estimate_error") else 1, photons=4096 if stage == "split_nodes" else 1024)
+                options = small(passes=2 if stage in ("resolve_film", "estimate_error") else 1, photons=PHOTONS.get(stage, 1024))
                 result = self.run_program("parity", *named(scene), *options, "--shaders", shaders, "--json")
                 path.write_text(original)
                 self.assertEqual((result.returncode, result.stderr), (1, ""))

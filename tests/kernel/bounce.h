@@ -31,14 +31,16 @@ inline Bounce shade(BothSides& both, const std::vector<shared::Ray>& rays, const
              both.room<shared::CameraPath>(slots),
              both.room<shared::uint>(slots),
              both.room<shared::RoughPoint>(count)};
-    both.run("trace_closest", shared::TraceClosestArguments{b.rays, b.hits, count, both.deviceScene.rootNode}, count);
+    both.run("trace_closest", shared::TraceClosestArguments{b.rays, b.hits, count, both.deviceScene.rootNode, 13},
+             count);
     const std::uint32_t maxDepth = both.scene.render.maxDepth + split;
     const auto minWeight = split != 0 ? static_cast<float>(both.scene.render.minWeight) : 0.0F;
     const auto& d = both.deviceScene;
     both.run("shade_surface",
-             shared::ShadeSurfaceArguments{b.rays, b.hits, b.paths, d.materials, d.lights, d.normals, d.instances,
-                                           b.visible, b.emitted, b.nextRays, b.nextPaths, b.alive, count, depth,
-                                           maxDepth, pass, split, minWeight, b.rough},
+             shared::ShadeSurfaceArguments{b.rays,      b.hits,      b.paths,   d.materials, d.lights,
+                                           d.normals,   d.instances, b.visible, b.emitted,   b.nextRays,
+                                           b.nextPaths, b.alive,     count,     depth,       maxDepth,
+                                           pass,        split,       minWeight, b.rough,     13},
              count);
     return b;
 }

@@ -37,7 +37,8 @@ Bundle bundle(BothSides& both, std::uint32_t count) {
     }
     b.device = both.upload(b.rays);
     b.hits = both.room<shared::Hit>(count);
-    both.run("trace_closest", shared::TraceClosestArguments{b.device, b.hits, count, both.deviceScene.rootNode}, count);
+    both.run("trace_closest", shared::TraceClosestArguments{b.device, b.hits, count, both.deviceScene.rootNode, 0},
+             count);
     return b;
 }
 

@@ -107,7 +107,7 @@ TEST_CASE("light sampled for paths that go on is weighed against what they may m
     const std::uint32_t maxDepth = both.scene.render.maxDepth;
     both.run("sample_lights",
              shared::SampleLightsArguments{devicePoints, both.deviceScene.lights, rays, contributions, kPoints,
-                                           both.deviceScene.lightCount, shared::kNone, kPass, maxDepth, kDepth},
+                                           both.deviceScene.lightCount, shared::kNone, kPass, maxDepth, kDepth, 0},
              kPoints);
     std::size_t coins = 0;
     std::size_t lit = 0;

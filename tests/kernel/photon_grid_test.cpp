@@ -126,7 +126,7 @@ TEST_CASE("gathering meets every photon of the disc once, also where cells share
             const auto gathered = both.room<vec3>(count);
             both.run("gather_radiance",
                      shared::GatherRadianceArguments{devicePoints, grid.cellStarts(), gathered, grid.record(), radius,
-                                                     count, 12},
+                                                     count, 12, 13},
                      count);
             std::vector<reference::Photon> stored;
             for (const shared::Photon& p : photons) {
@@ -194,7 +194,7 @@ TEST_CASE("a disc that reaches over the edges of a parallelogram counts with wha
         grid.build(both.device, devicePhotons, 4000, radius);
         both.run("gather_radiance",
                  shared::GatherRadianceArguments{devicePoints, grid.cellStarts(), gathered, grid.record(), radius,
-                                                 count, 12},
+                                                 count, 12, 13},
                  count);
         std::size_t edge = 0; // a photon on the rim of the disc, in on one side and out on the other
         for (std::uint32_t i = 0; i < count; ++i) {
@@ -222,10 +222,10 @@ TEST_CASE("photons of another surface, another side or too long a path are not g
         const auto points = both.upload(
             std::vector<shared::VisiblePoint>{{vec3(0), depth, vec3(0, 0, 1), 0, vec3(0.5), 0, 0, kUp16, 0}});
         const auto gathered = both.room<vec3>(1);
-        both.run(
-            "gather_radiance",
-            shared::GatherRadianceArguments{points, grid.cellStarts(), gathered, grid.record(), radius, 1, maxDepth},
-            1);
+        both.run("gather_radiance",
+                 shared::GatherRadianceArguments{points, grid.cellStarts(), gathered, grid.record(), radius, 1,
+                                                 maxDepth, 13},
+                 1);
         return gathered.host()[0].x;
     };
     // f * power / (pi r^2)

@@ -59,7 +59,8 @@ TEST_CASE("photons are stored, scattered and absorbed as in the reference at eve
     const auto nextRays = both.room<shared::Ray>(count);
     const auto nextPaths = both.room<shared::PhotonPath>(count);
     const auto alive = both.room<shared::uint>(count);
-    both.run("trace_closest", shared::TraceClosestArguments{deviceRays, hits, count, both.deviceScene.rootNode}, count);
+    both.run("trace_closest", shared::TraceClosestArguments{deviceRays, hits, count, both.deviceScene.rootNode, 0},
+             count);
 
     const auto fates = both.room<shared::PhotonFate>(count);
     // The kinds of progressive photon mapping, of a global map and of a caustic map

@@ -48,19 +48,20 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(RenderSeed, sequence);
     HOST_LAYOUT(GenerateCameraRaysArguments, rays, paths, seed.sequence, camera.position, camera.forward, camera.right,
                 camera.up, camera.width, camera.height, camera.lensRadius, camera.focusDistance, count, pass);
-    HOST_LAYOUT(TraceClosestArguments, rays, hits, count, rootNode);
+    HOST_LAYOUT(TraceClosestArguments, rays, hits, count, rootNode, width);
     HOST_LAYOUT(ShadeSurfaceArguments, rays, hits, paths, materials, lights, normals, instances, visiblePoints, emitted,
-                nextRays, nextPaths, alive, count, depth, maxDepth, pass, split, minWeight, roughPoints);
+                nextRays, nextPaths, alive, count, depth, maxDepth, pass, split, minWeight, roughPoints, width);
     HOST_LAYOUT(SampleRoughLightsArguments, roughPoints, lights, direct, count, lightCount, light, pass, rootNode);
     HOST_LAYOUT(SampleLightsArguments, visiblePoints, lights, shadowRays, contributions, count, lightCount, light, pass,
-                maxDepth, bounceDepth);
+                maxDepth, bounceDepth, width);
     HOST_LAYOUT(BouncePathsArguments, paths, visiblePoints, nextRays, nextPaths, alive, count, depth, maxDepth, pass);
-    HOST_LAYOUT(TraceShadowArguments, shadowRays, contributions, direct, count, rootNode);
+    HOST_LAYOUT(TraceShadowArguments, shadowRays, contributions, direct, count, rootNode, width);
     HOST_LAYOUT(EmitPhotonsArguments, lights, rays, paths, first, count, ofPass, lightCount, sequence);
     HOST_LAYOUT(ScatterPhotonArguments, rays, hits, paths, materials, normals, instances, photons, fates, nextRays,
                 nextPaths, alive, count, firstPhoton, depth, maxDepth, sequence, kinds, account);
     HOST_LAYOUT(CompactCameraPathsArguments, alive, offsets, nextRays, nextPaths, rays, paths, count);
     HOST_LAYOUT(CompactPhotonPathsArguments, alive, offsets, nextRays, nextPaths, rays, paths, count);
+    HOST_LAYOUT(ScanGroupArguments, values, sums, count);
     HOST_LAYOUT(SumChunksArguments, values, sums, count);
     HOST_LAYOUT(ScanChunksArguments, values, chunkOffsets, sums, count);
     HOST_LAYOUT(CountCellsArguments, photons, cellCounts, ranks, grid.inverseCellSize, grid.bucketMask, count);
@@ -78,12 +79,12 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(FinishSubtreesArguments, lists, others, nodes, count, level, stored);
     HOST_LAYOUT(PlacePhotonsArguments, photons, nodes, slots, sorted, order, count);
     HOST_LAYOUT(GatherRadianceArguments, visiblePoints, cellStarts, gathered, grid.inverseCellSize, grid.bucketMask,
-                radius, count, maxDepth);
+                radius, count, maxDepth, width);
     HOST_LAYOUT(NearestPhotonsArguments, visiblePoints, map.order, map.cellStarts, map.grid.inverseCellSize,
                 map.grid.bucketMask, map.base, map.count, found, radius, nearest, kinds, count, maxDepth);
     HOST_LAYOUT(EstimateRadianceArguments, visiblePoints, map.order, map.cellStarts, map.grid.inverseCellSize,
                 map.grid.bucketMask, map.base, map.count, gathered, radii, radius, filterConstant, maxChange, nearest,
-                kinds, filterKind, count, maxDepth);
+                kinds, filterKind, count, maxDepth, width);
     HOST_LAYOUT(SumPathsArguments, paths, emitted, direct, radiance, count);
     HOST_LAYOUT(FilmSum, low, middle, high);
     HOST_LAYOUT(FilmColor, red.low, red.middle, red.high, green.low, green.middle, green.high, blue.low, blue.middle,
