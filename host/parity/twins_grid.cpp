@@ -13,7 +13,8 @@ namespace hyalite::parity {
 namespace {
 
 std::uint32_t bucketOf(const glm::vec3& position, const shared::GridRecord& grid) {
-    const glm::vec3 cell = glm::clamp(glm::floor(position * grid.inverseCellSize), glm::vec3(-1e9F), glm::vec3(1e9F));
+    const glm::vec3 cell = glm::clamp(glm::floor(position * grid.inverseCellSize), glm::vec3(-shared::kFarthestCell),
+                                      glm::vec3(shared::kFarthestCell));
     return shared::cellBucket(glm::ivec3(cell), grid.bucketMask);
 }
 

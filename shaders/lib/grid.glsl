@@ -3,10 +3,11 @@
 #define HYALITE_GRID_GLSL
 #include "shared/grid.h"
 #include "shared/path_records.h"
+#include "lib/math.glsl"
 
 ivec3 cellOf(vec3 position, GridRecord grid) {
-    // Far outside any sensible scene cells merge; the distance test of a query still decides.
-    return ivec3(clamp(floor(position * grid.inverseCellSize), vec3(-1.0e9), vec3(1.0e9)));
+    vec3 cell = floor(position * grid.inverseCellSize);
+    return integerOf(lesser(greater(cell, vec3(-kFarthestCell)), vec3(kFarthestCell)));
 }
 
 uint bucketOf(vec3 position, GridRecord grid) {
@@ -52,12 +53,12 @@ bool nextRange(inout CellWalk walk, GridRecord grid, UintArray cellStarts, out u
     walk.next = isLastOfLayer ? ivec2(walk.low.x, walk.row.y + 1) : ivec2(walk.row.x + 1, walk.row.y);
     // How far the row is from the centre, and how far the ball reaches along it
     vec2 edge = vec2(walk.row) / grid.inverseCellSize;
-    vec2 away = max(max(edge - walk.position.yz, walk.position.yz - edge - 1.0 / grid.inverseCellSize), vec2(0.0));
+    vec2 away = greater(greater(edge - walk.position.yz, walk.position.yz - edge - 1.0 / grid.inverseCellSize), vec2(0.0));
     float reach2 = walk.reach2 - dot(away, away);
     if (reach2 < 0.0) {
         return true;
     }
-    vec3 along = vec3(min(sqrt(reach2), walk.along), 0.0, 0.0);
+    vec3 along = vec3(lesser(sqrt(reach2), walk.along), 0.0, 0.0);
     int left = cellOf(walk.position - along, grid).x;
     int right = cellOf(walk.position + along, grid).x;
     uint bucket = cellBucket(ivec3(left, walk.row), grid.bucketMask);

@@ -10,6 +10,50 @@ const float kInfinity = 3.0e38; // longer than any ray; finite, so that products
 const float kTiny = 1.0e-30;    // greater than zero, less than any length
 const float kEndless = 1.0e28;  // what is farther away than this is the far end of a shape that has none
 
+// max and min, but for where a number is none: then the second operand. What lavapipe does to make sure of a number in
+// max and min takes it eight instructions, and it halves its longest vectors for them; each of these is one.
+float greater(float a, float b) {
+    return a > b ? a : b;
+}
+
+vec2 greater(vec2 a, vec2 b) {
+    return mix(b, a, greaterThan(a, b));
+}
+
+vec3 greater(vec3 a, vec3 b) {
+    return mix(b, a, greaterThan(a, b));
+}
+
+vec4 greater(vec4 a, vec4 b) {
+    return mix(b, a, greaterThan(a, b));
+}
+
+float lesser(float a, float b) {
+    return a < b ? a : b;
+}
+
+vec3 lesser(vec3 a, vec3 b) {
+    return mix(b, a, lessThan(a, b));
+}
+
+vec4 lesser(vec4 a, vec4 b) {
+    return mix(b, a, lessThan(a, b));
+}
+
+// The integer that x is, for |x| <= 2^22: it stands in the last bits of 3 * 2^22 + x. int(x) runs lane by lane on
+// lavapipe, and makes sure of what is too large for an integer or no number.
+int integerOf(float x) {
+    return floatBitsToInt(x + 12582912.0) - 0x4b400000;
+}
+
+ivec2 integerOf(vec2 x) {
+    return floatBitsToInt(x + 12582912.0) - 0x4b400000;
+}
+
+ivec3 integerOf(vec3 x) {
+    return floatBitsToInt(x + 12582912.0) - 0x4b400000;
+}
+
 // (sin x, cos x) for |x| <= pi/4: Taylor series, error below 1 ulp of 1.
 vec2 sinCosSmall(float x) {
     float s = x * x;
@@ -21,7 +65,7 @@ vec2 sinCosSmall(float x) {
 vec2 sinCosTurns(float turns) {
     float quarter = floor(4.0 * turns + 0.5);
     vec2 sc = sinCosSmall((turns - 0.25 * quarter) * (2.0 * kPi));
-    uint q = uint(quarter) & 3u;
+    uint q = uint(integerOf(quarter)) & 3u;
     if ((q & 1u) != 0u) {
         sc = vec2(sc.y, -sc.x);
     }
@@ -37,7 +81,7 @@ float exponential(float x) {
     float k = floor(1.44269504 * x + 0.5);
     float r = (x - k * 0.693359375) + k * 2.12194440e-4;
     float tail = 1.0 / 6.0 + r * (1.0 / 24.0 + r * (1.0 / 120.0 + r * (1.0 / 720.0 + r * (1.0 / 5040.0))));
-    return (1.0 + (r + r * r * (0.5 + r * tail))) * uintBitsToFloat(uint(int(k) + 127) << 23u);
+    return (1.0 + (r + r * r * (0.5 + r * tail))) * uintBitsToFloat(uint(integerOf(k) + 127) << 23u);
 }
 
 // The angle from the x axis to (x, y) as a share of a full turn, in [-1/2, 1/2]; error below 1e-7. The arctangent of
@@ -61,16 +105,6 @@ float angleInTurns(float y, float x) {
 float turnsOf(float y, float x) {
     float turns = angleInTurns(y, x);
     return turns < 0.0 ? 1.0 + turns : turns;
-}
-
-// max and min, but for where a number is none: then the second operand. What lavapipe does to make sure of a number in
-// max and min takes it eight instructions, and it halves its longest vectors for them; each of these is one.
-vec4 greater(vec4 a, vec4 b) {
-    return mix(b, a, greaterThan(a, b));
-}
-
-vec4 lesser(vec4 a, vec4 b) {
-    return mix(b, a, lessThan(a, b));
 }
 
 float maxComponent(vec3 v) {
@@ -109,7 +143,7 @@ uint packUnitVector(vec3 v, uint bits) {
         p = (1.0 - abs(p.yx)) * vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
     }
     float scale = float((1u << bits) - 1u);
-    uvec2 q = uvec2(clamp(p * 0.5 + 0.5, 0.0, 1.0) * scale + 0.5);
+    uvec2 q = uvec2(integerOf(floor(clamp(p * 0.5 + 0.5, 0.0, 1.0) * scale + 0.5)));
     return q.x | (q.y << bits);
 }
 

@@ -4,13 +4,13 @@
 #define HYALITE_QUOTIENT_GLSL
 
 // a / b, rounded down, for 0 < b < 2^30 and a / b < 2^22; a - b * quotient(a, b) is the remainder. Three roundings leave
-// the float's quotient less than one away from the true one.
+// the float's quotient less than one away from the true one, and with 2^23 added it is an integer in the last bits.
 uint quotient(uint a, uint b) {
-    uint q = uint(float(a) / float(b));
+    uint q = floatBitsToUint(float(a) / float(b) + 8388608.0) & 0x007fffffu;
     int remainder = int(a - q * b);
     if (remainder < 0) {
         return q - 1u;
     }
-    return remainder >= int(b) ? q + 1u : q;
+    return remainder >= int(b) ? q + 1u : q; // the sum above rounds to the nearest
 }
 #endif

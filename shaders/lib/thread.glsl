@@ -1,6 +1,7 @@
 // The number of a thread in its dispatch. Commands::run lays groups out in rows when one row does not hold them.
 #ifndef HYALITE_THREAD_GLSL
 #define HYALITE_THREAD_GLSL
+#extension GL_KHR_shader_subgroup_basic : require
 #include "shared/limits.h"
 #include "shared/pixel_order.h"
 #include "lib/quotient.glsl"
@@ -20,8 +21,14 @@ uint groupOfRow() {
     return isDealt ? (group - worker * block) * kWorkers + worker : group;
 }
 
+// The thread's place in its group. Lavapipe computes invocation ids by divisions lane by lane, but fills its subgroups
+// one after the other, which not every driver does.
+uint threadOfGroup() {
+    return kWorkers > 1u ? gl_SubgroupID * gl_SubgroupSize + gl_SubgroupInvocationID : gl_LocalInvocationIndex;
+}
+
 uint threadIndex() {
-    return (gl_WorkGroupID.y * kGroupsPerRow + groupOfRow()) * gl_WorkGroupSize.x + gl_LocalInvocationIndex;
+    return (gl_WorkGroupID.y * kGroupsPerRow + groupOfRow()) * gl_WorkGroupSize.x + threadOfGroup();
 }
 
 // The pixel of this thread; `width` of the picture, or 0 where threads take elements in their order.

@@ -10,6 +10,10 @@ struct GridRecord {
     uint bucketMask;       // number of buckets, a power of two, less one
 };
 
+// Cells farther than this from the origin along an axis merge with the last: the distance test of a query still
+// decides.
+SHARED_FLOAT kFarthestCell = 4194304.0; // 2^22
+
 // Two odd numbers far from each other and from 0, and so are their sum and difference, by any power of two from 1024
 // on: rows of cells side by side stand far apart. So a ball no wider than a cell, which reaches into two by two rows
 // and two cells of each, meets every photon once.
