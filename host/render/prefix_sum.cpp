@@ -1,7 +1,5 @@
 #include "render/prefix_sum.h"
 
-#include <array>
-
 namespace hyalite::render {
 
 using shared::kScanChunk;
@@ -15,18 +13,13 @@ constexpr std::uint32_t kFewValues = 16384;
 
 PrefixSum::PrefixSum(const Device& device)
     : scanGroup_(device.kernel("scan_group")), sumChunks_(device.kernel("sum_chunks")),
-      scanChunks_(device.kernel("scan_chunks")),
-      zero_(device.context, std::span<const shared::uint>(std::array{0U}), "zero") {}
+      scanChunks_(device.kernel("scan_chunks")) {}
 
 void PrefixSum::run(Device& device, const gpu::Array<shared::uint>& values, const gpu::Array<shared::uint>& sums,
                     std::uint32_t count) {
-    if (count <= kFewValues) {
-        device.commands.run(scanGroup_, shared::ScanGroupArguments{values, sums, count}, shared::kGroupSize);
-        return;
-    }
     // Room for every level first: buffers in use by recorded commands must not be replaced
     std::size_t level = 0;
-    for (std::uint32_t n = count; n > kScanChunk; ++level) {
+    for (std::uint32_t n = count; n > kFewValues; ++level) {
         n = (n + kScanChunk - 1) / kScanChunk;
         if (level == levels_.size()) {
             levels_.emplace_back();
@@ -41,15 +34,15 @@ void PrefixSum::run(Device& device, const gpu::Array<shared::uint>& values, cons
 
 void PrefixSum::scan(Device& device, shared::UintArray values, shared::UintArray sums, std::uint32_t count,
                      std::size_t level) {
-    const std::uint32_t chunks = (count + kScanChunk - 1) / kScanChunk;
-    shared::UintArray offsets = zero_;
-    if (chunks > 1) {
-        const Level& l = levels_[level];
-        device.commands.run(sumChunks_, shared::SumChunksArguments{values, l.sums, count}, chunks);
-        scan(device, l.sums, l.offsets, chunks, level + 1);
-        offsets = l.offsets;
+    if (count <= kFewValues) {
+        device.commands.run(scanGroup_, shared::ScanGroupArguments{values, sums, count}, shared::kGroupSize);
+        return;
     }
-    device.commands.run(scanChunks_, shared::ScanChunksArguments{values, offsets, sums, count}, chunks);
+    const std::uint32_t chunks = (count + kScanChunk - 1) / kScanChunk;
+    const Level& l = levels_[level];
+    device.commands.run(sumChunks_, shared::SumChunksArguments{values, l.sums, count}, chunks);
+    scan(device, l.sums, l.offsets, chunks, level + 1);
+    device.commands.run(scanChunks_, shared::ScanChunksArguments{values, l.offsets, sums, count}, chunks);
 }
 
 } // namespace hyalite::render

@@ -22,7 +22,6 @@ private:
     gpu::Kernel scanGroup_;
     gpu::Kernel sumChunks_;
     gpu::Kernel scanChunks_;
-    gpu::Array<shared::uint> zero_;
     // Sums of chunks, of chunks of chunks … and, beside them, what precedes each
     struct Level {
         gpu::Array<shared::uint> sums;

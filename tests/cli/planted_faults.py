@@ -69,8 +69,8 @@ FAULTS = [
     ("photons remember where they went", "kernels/scatter_photon.comp", "packUnitVector(-direction,",
      "packUnitVector(direction,", CAUSTICS, "scatter_photon"),
     # Not more than this: sums that are far off send kernels out of their buffers, and that may end the program
-    ("last value of all left out of its chunk", "kernels/sum_chunks.comp", "min(begin + kScanChunk, args.count)",
-     "min(begin + kScanChunk, args.count - 1u)", CAUSTICS, "sum_chunks"),
+    ("last value of every chunk left out", "kernels/sum_chunks.comp", "min(begin + kScanChunk, args.count)",
+     "min(begin + kScanChunk - 1u, args.count)", CAUSTICS, "sum_chunks"),
     ("compaction that leaves the paths behind", "kernels/compact_camera_paths.comp", "args.nextPaths.at[i]",
      "args.nextPaths.at[to]", CAUSTICS, "compact_camera_paths"),
     ("cells rounded to the nearest", "lib/grid.glsl", "floor(position * grid.inverseCellSize)",

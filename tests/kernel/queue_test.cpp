@@ -13,7 +13,7 @@ TEST_CASE("prefix sums equal the sequential ones at every size around the chunks
     render::PrefixSum prefixSum(both.device);
     reference::test::Random random;
     // One chunk, chunks of chunks, and three levels; large before small, so that old contents would show
-    for (const std::uint32_t count : {2097153U, 1U, 127U, 128U, 129U, 16384U, 16385U, 300000U}) {
+    for (const std::uint32_t count : {2097153U, 1U, 127U, 128U, 129U, 16384U, 16385U, 2097152U, 300000U}) {
         std::vector<shared::uint> values(count);
         for (auto& value : values) {
             value = static_cast<shared::uint>(random.between(0, 5));
