@@ -68,7 +68,6 @@ std::shared_ptr<const Kernel::Impl> make(const Context::Impl& context, const Tex
     const SpirV spirv = compiler.compile(name);
     kernel->interface = reflect(spirv);
     if constexpr (kCheckedKernels) {
-        kernel->interface.tables.erase(kCheckBinding);
         kernel->sources = sourcesOf(compiler, name);
     }
     const std::filesystem::path source = compiler.shaders() / "kernels" / (name + ".comp");

@@ -3,6 +3,7 @@
 #include "gpu/kernel.h"
 
 #include "base/error.h"
+#include "gpu/checked_kernels.h"
 
 #include <spirv_cross.hpp>
 
@@ -146,6 +147,9 @@ void readTables(const spirv_cross::Compiler& compiler, KernelInterface& interfac
             interface.tables[compiler.get_decoration(image.id, spv::DecorationBinding)] =
                 texel.basetype == SPIRType::Float ? TexelFormat::Float4 : TexelFormat::Uint4;
         }
+    }
+    if constexpr (kCheckedKernels) { // the checks' own
+        interface.tables.erase(kCheckBinding);
     }
 }
 

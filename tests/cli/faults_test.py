@@ -96,7 +96,12 @@ class Faults(CliTest):
         self.succeed("render", "scene.yaml", "--passes", "400", "--quiet", "-o", "whole.exr")
         self.assertEqual((self.folder / "resumed.exr").read_bytes(), (self.folder / "whole.exr").read_bytes())
 
+
+class NoMemory(CliTest):
+    """Not under AddressSanitizer, which reserves thousands of gigabytes of address space at its start."""
+
     def test_without_memory_the_program_says_so_and_writes_nothing(self):
+        self.write("scene.yaml", SCENE)
         result = self.run_program(
             "render", "scene.yaml", "--resolution", "4096x4096", "-o", "out.exr",
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (TOO_LITTLE, TOO_LITTLE)))
