@@ -38,21 +38,29 @@ void compareCompaction(const Stage& stage) {
     }
 }
 
-} // namespace
-
-void compareScanGroup(const Stage& stage) {
-    const auto args = stage.seen.arguments<shared::ScanGroupArguments>();
-    const auto values = stage.seen.before<shared::uint>(args.values, args.count);
-    const auto sums = stage.seen.after<shared::uint>(args.sums, std::size_t{args.count} + 1);
+// Exclusive sums, the total last; they begin anew with what precedes each chunk, where that is given.
+void compareSums(const Stage& stage, std::span<const shared::uint> values, std::span<const shared::uint> sums,
+                 std::span<const shared::uint> chunkOffsets) {
     std::uint32_t sum = 0;
-    for (std::size_t i = 0; i <= args.count; ++i) {
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        if (!chunkOffsets.empty() && i < values.size() && i % shared::kScanChunk == 0) {
+            sum = chunkOffsets[i / shared::kScanChunk];
+        }
         Answer device;
         device.exact("sum", sums[i]);
         Answer expected;
         expected.exact("sum", sum);
         stage.compareExact(i, device, expected);
-        sum += i < args.count ? values[i] : 0;
+        sum += i < values.size() ? values[i] : 0;
     }
+}
+
+} // namespace
+
+void compareScanGroup(const Stage& stage) {
+    const auto args = stage.seen.arguments<shared::ScanGroupArguments>();
+    compareSums(stage, stage.seen.before<shared::uint>(args.values, args.count),
+                stage.seen.after<shared::uint>(args.sums, std::size_t{args.count} + 1), {});
 }
 
 void compareSumChunks(const Stage& stage) {
@@ -79,20 +87,8 @@ void compareScanChunks(const Stage& stage) {
     const auto args = stage.seen.arguments<shared::ScanChunksArguments>();
     const auto values = stage.seen.before<shared::uint>(args.values, args.count);
     const std::size_t chunks = (args.count + shared::kScanChunk - 1) / shared::kScanChunk;
-    const auto offsets = stage.seen.before<shared::uint>(args.chunkOffsets, chunks);
-    const auto sums = stage.seen.after<shared::uint>(args.sums, std::size_t{args.count} + 1);
-    std::uint32_t sum = 0;
-    for (std::size_t i = 0; i <= args.count; ++i) {
-        if (i < args.count && i % shared::kScanChunk == 0) {
-            sum = offsets[i / shared::kScanChunk];
-        }
-        Answer device;
-        device.exact("sum", sums[i]);
-        Answer expected;
-        expected.exact("sum", sum);
-        stage.compareExact(i, device, expected);
-        sum += i < args.count ? values[i] : 0;
-    }
+    compareSums(stage, values, stage.seen.after<shared::uint>(args.sums, std::size_t{args.count} + 1),
+                stage.seen.before<shared::uint>(args.chunkOffsets, chunks));
 }
 
 void compareCompactCameraPaths(const Stage& stage) {

@@ -29,7 +29,7 @@ Divisions divisions() {
     Divisions all;
     for (int i = 0; i < 200000; ++i) {
         const auto b = 1 + static_cast<std::uint32_t>(engine() >> (2 + engine() % 30)); // to 2^30
-        const std::uint64_t most = std::min<std::uint64_t>(UINT32_MAX, (std::uint64_t{b} << 22U) - 1);
+        const std::uint64_t most = std::min<std::uint64_t>(UINT32_MAX, (std::uint64_t{b} << 20U) - 1);
         const auto a = static_cast<std::uint32_t>(engine() % (most + 1));
         const std::uint32_t multiple = a / b * b;
         for (const std::uint32_t dividend : {a, multiple, multiple - (multiple > 0 ? 1 : 0)}) {
