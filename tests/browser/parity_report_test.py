@@ -11,6 +11,7 @@ import unittest
 from browser import console_complaints, open_browser, resources
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import WebDriverWait
 
 PROGRAM, SOURCE = (pathlib.Path(path).resolve() for path in sys.argv[1:3])
 MOST_BYTES = 5_000_000
@@ -108,7 +109,10 @@ class ReportThatPassed(Page):
         summary = paths[0].find_element(By.CSS_SELECTOR, "summary")
         self.assertRegex(summary.text, r"parts at vertex \d+, first in \w+: \w+")
         summary.click()
-        self.assertGreater(len(paths[0].find_elements(By.CSS_SELECTOR, "tr.differs")), 0)
+        # The table is made by the event `toggle`, which a browser raises some time after the click
+        marked = WebDriverWait(self.browser, 30).until(lambda _: paths[0].find_elements(By.CSS_SELECTOR, "tr.differs"))
+        vertex = re.search(r"parts at vertex (\d+)", summary.text)[1]
+        self.assertEqual(marked[0].find_element(By.CSS_SELECTOR, "td").text, vertex)
 
     def test_a_narrow_window_needs_no_sideways_scrolling(self):
         self.addCleanup(self.browser.set_window_size, 1280, 900)
