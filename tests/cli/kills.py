@@ -1,13 +1,16 @@
-"""Kills renders at random moments (SIGKILL) and looks at what they leave: PROGRAM COUNT [SEED].
+"""Kills renders at random moments (SIGKILL) and looks at what they leave: PROGRAM COUNT [SEED [cold]].
 
 Each render goes on from the checkpoint of the one before. After every kill the checkpoint must be whole or not there yet,
 never hold fewer passes than before, and a picture that is there must be whole. A render that gets to its end must have
-made the bytes of one that nobody killed; then the next begins anew.
+made the bytes of one that nobody killed; then the next begins anew: `cold` gives it empty caches. Where something is
+wrong the folder with scene, pictures, checkpoint and caches stays, and is named.
 """
 
 import json
+import os
 import pathlib
 import random
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -39,13 +42,32 @@ def passes_kept(program, folder, environment):
     return json.loads(result.stdout)["passes"]
 
 
-def kill_renders(program, count, seed=1, environment=None):
+def check_end(program, folder, exit_code, environment):
+    """Raises AssertionError unless a render ended well, with the bytes of the whole one; says which of the two is odd."""
+    if exit_code != 0:
+        raise AssertionError(f"exit code {exit_code}")
+    picture, whole = ((folder / name).read_bytes() for name in ("picture.exr", "whole.exr"))
+    if picture == whole:
+        return
+    run(program, folder, [*WHOLE, "-o", "again.exr"], environment)
+    again = (folder / "again.exr").read_bytes()
+    odd = "the killed one is odd" if again == whole else "the whole one is odd" if again == picture else "all are odd"
+    raise AssertionError(f"a render that was killed has other bytes than one that was not; rendered again, {odd}")
+
+
+def kill_renders(program, count, seed=1, environment=None, cold=False):
     """Returns how many kills hit a render that was running, how many renders came to their end, and leftovers."""
+    environment = dict(os.environ if environment is None else environment)
     choose = random.Random(seed)
     kills = ends = 0
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
+    folder = pathlib.Path(tempfile.mkdtemp(prefix="hyalite-kills-"))
+
+    def cool():
+        environment.update({"XDG_CACHE_HOME": str(folder / f"cache-{ends}")} if cold else {})
+
+    try:
         (folder / "scene.yaml").write_text(SCENE)
+        cool()
         begin = time.monotonic()
         result = run(program, folder, [*WHOLE, "-o", "whole.exr"], environment)
         if result.returncode != 0:
@@ -68,18 +90,21 @@ def kill_renders(program, count, seed=1, environment=None):
                 if (folder / "picture.exr").exists() and (folder / "picture.exr").read_bytes() != whole:
                     raise AssertionError("a kill has left half a picture")
                 continue
-            if process.returncode != 0 or (folder / "picture.exr").read_bytes() != whole:
-                raise AssertionError(f"exit code {process.returncode}, or other bytes than those of one render")
+            check_end(program, folder, process.returncode, environment)
             ends += 1
             before = 0
             (folder / "kept").unlink()
             (folder / "picture.exr").unlink()
+            cool()
         leftovers = len(list(folder.glob(".hyalite-*.tmp")))
+    except AssertionError as error:
+        raise AssertionError(f"{error}; see {folder}") from error
+    shutil.rmtree(folder)
     return kills, ends, leftovers
 
 
 if __name__ == "__main__":
     hit, ended, left = kill_renders(str(pathlib.Path(sys.argv[1]).resolve()), int(sys.argv[2]),
-                                    int(sys.argv[3]) if len(sys.argv) > 3 else 1)
+                                    int(sys.argv[3]) if len(sys.argv) > 3 else 1, cold=sys.argv[4:5] == ["cold"])
     print(f"{hit} kills: every checkpoint and picture whole; {ended} renders came to their end with the right bytes; "
           f"{left} temporary files left behind")
