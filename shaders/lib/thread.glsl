@@ -22,9 +22,11 @@ uint groupOfRow() {
 }
 
 // The thread's place in its group. Lavapipe computes invocation ids by divisions lane by lane, but fills its subgroups
-// one after the other, which not every driver does.
+// one after the other, which not every driver does. Their size by their number: gl_SubgroupSize is compiled in as that
+// of half the lanes where, in another thread, lavapipe happens to be looking up its vectors' width at that moment.
 uint threadOfGroup() {
-    return kWorkers > 1u ? gl_SubgroupID * gl_SubgroupSize + gl_SubgroupInvocationID : gl_LocalInvocationIndex;
+    return kWorkers > 1u ? gl_SubgroupID * quotient(kGroupSize, gl_NumSubgroups) + gl_SubgroupInvocationID
+                         : gl_LocalInvocationIndex;
 }
 
 uint threadIndex() {
