@@ -24,6 +24,8 @@ template <class... F>
 struct Overloaded : F... {
     using F::operator()...;
 };
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>; // clang 14 does not deduce aggregates
 
 // ---- Spots: their profile s(c) over the cosine c with the axis is 1 above the inner cosine, 0 below the outer one,
 // and t^2 (3 - 2 t) between, with t = (c - outer) / (inner - outer).

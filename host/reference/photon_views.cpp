@@ -116,8 +116,8 @@ ViewLayers layersOfView(const World& world, const PhotonMaps& maps) {
     case PhotonView::Photons: {
         ViewLayers layers = pictureLayers(world, maps);
         layers.kinds.push_back({"photons"});
-        layers.sample = [&world, picture = std::move(layers.sample),
-                         points = drawPhotons(world, maps)](std::uint32_t pixel, std::uint32_t pass) {
+        layers.sample = [picture = std::move(layers.sample), points = drawPhotons(world, maps)](std::uint32_t pixel,
+                                                                                                std::uint32_t pass) {
             std::vector<glm::dvec3> sample = picture(pixel, pass);
             sample.push_back(points[pixel]);
             return sample;

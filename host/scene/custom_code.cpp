@@ -16,8 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 bool isIdentifier(const std::string& name) {
-    const auto isLetter = [](unsigned char c) { return std::isalpha(c) != 0; };
-    const auto isPart = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+    const auto isLetter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+    const auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
     return !name.empty() && isLetter(name.front()) && std::ranges::all_of(name, isPart) && !name.starts_with("gl_") &&
            name.find("__") == std::string::npos;
 }

@@ -58,7 +58,7 @@ TEST_CASE("a JPEG file is decoded as light or as numbers") {
 TEST_CASE("a JPEG file whose Huffman table has more codes than there are is refused before it is decoded") {
     std::vector<std::byte> file = twoColors();
     const std::array<std::byte, 2> mark{std::byte{0xff}, std::byte{0xc4}};
-    const auto table = std::ranges::search(file, mark).begin();
+    const auto table = std::search(file.begin(), file.end(), mark.begin(), mark.end());
     REQUIRE(table != file.end());
     std::fill_n(table + 5, 2, std::byte{0xff}); // two of the sixteen counts: 510 codes at least
     CHECK_THROWS_WITH(decodeJpeg(file, "t.jpg", Encoding::Srgb),

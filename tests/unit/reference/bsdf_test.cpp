@@ -89,8 +89,8 @@ TEST_CASE("visible normals are sampled with their density") {
             return std::min(kCells - 1, static_cast<int>(m.z * kCells)) * kCells +
                    std::min(kCells - 1, static_cast<int>(turn * kCells));
         };
-        overSphere(true, 100, [&](const dvec3& m, double solidAngle) {
-            expected[static_cast<std::size_t>(cellOf(m))] += kSamples * visibleNormalDensity(wo, m, alpha) * solidAngle;
+        overSphere(true, 100, [&, a = alpha](const dvec3& m, double solidAngle) {
+            expected[static_cast<std::size_t>(cellOf(m))] += kSamples * visibleNormalDensity(wo, m, a) * solidAngle;
         });
         for (int i = 0; i < kSamples; ++i) {
             const dvec2 uv(random.unit(), random.unit());

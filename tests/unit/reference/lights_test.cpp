@@ -70,7 +70,6 @@ TEST_CASE("the power of an area is pi A L") {
     addObject(scene, Disk{{0, 0, 0}, {2, 0, 0}, {0, 3, 0}}, std::nullopt, {1, 2, 3});
     addObject(scene, Sphere{{0, 0, 0}, 0.5}, std::nullopt, {1, 0, 0});
     const std::vector<Light> lights = makeLights(scene);
-    const double pi = std::numbers::pi;
     checkNear(lights.at(0).power, 6 * pi * pi * dvec3(1, 2, 3), 1e-12);
     checkNear(lights.at(1).power, pi * pi * dvec3(1, 0, 0), 1e-12);
     // Chosen in proportion to the mean of the channels: 36 to 1
