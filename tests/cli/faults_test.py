@@ -6,7 +6,7 @@ import signal
 import subprocess
 import time
 
-from program import OUTPUT, SCENE, CliTest, command_line, default_environment
+from program import OUTPUT, SCENE, TIMEOUT, CliTest, command_line, default_environment
 
 # Address space for driver and compiler, but not for the 10 GB that 4096 x 4096 pixels take [bytes]
 TOO_LITTLE = 4 << 30
@@ -48,7 +48,7 @@ class Faults(CliTest):
             time.sleep(0.05)
         (self.folder / "pictures").rmdir()
         process.send_signal(signal.SIGINT)
-        _, said = process.communicate(timeout=60)
+        _, said = process.communicate(timeout=TIMEOUT)
         self.assertEqual(process.returncode, OUTPUT, said)
         self.assertIn("pictures/out.exr", said)
         self.assertIn("the folder does not exist", said)
@@ -61,7 +61,7 @@ class Faults(CliTest):
                                  env={**default_environment(), "XDG_CACHE_HOME": str(cache)}, stderr=subprocess.PIPE, text=True)
                 for i in (1, 2)]
         for process in both:
-            _, said = process.communicate(timeout=120)
+            _, said = process.communicate(timeout=TIMEOUT)
             self.assertEqual((process.returncode, said), (0, ""))
         self.assertEqual((self.folder / "1.exr").read_bytes(), (self.folder / "2.exr").read_bytes())
 
@@ -83,8 +83,7 @@ class Faults(CliTest):
         # Kernels are made while others are compiled to machine code; only with cold caches are many under way at once.
         # Bits that depended on it did so in two of eight such renders
         self.assertEqual(self.render(self.folder / "cache", "right.exr").returncode, 0)
-        slow = {"LD_PRELOAD": os.environ["HYALITE_TEST_LAYERS"] + "/libslow_environment.so",
-                "ASAN_OPTIONS": "verify_asan_link_order=0", "LP_NATIVE_VECTOR_WIDTH": "128"}
+        slow = {"LD_PRELOAD": os.environ["HYALITE_TEST_LAYERS"] + "/libslow_environment.so", "LP_NATIVE_VECTOR_WIDTH": "128"}
         for i in range(3):
             cache = {"XDG_CACHE_HOME": str(self.folder / f"cold-{i}")}
             result = self.run_program("render", "scene.yaml", "--quiet", "-o", "slow.exr", environment={**slow, **cache})
