@@ -3,8 +3,8 @@
 #define HYALITE_SCENE_GLSL
 #include "lib/csg.glsl"
 
-void traceObject(uint object, Ray ray, bool any, inout Hit hit) {
-    ObjectHeader header = objectHeader(object);
+// An object that is no mesh.
+void traceShape(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
     if (isShape(header.type, kShapeSphere)) {
         Start start = startAt(object, ray.from);
         if (intersectSphere(ray.origin, ray.direction, objectTexel(object, 0u), start, hit.t)) {
@@ -18,14 +18,21 @@ void traceObject(uint object, Ray ray, bool any, inout Hit hit) {
                           objectTexel(object, 2u), hit.t, uv)) {
             hit = Hit(hit.t, object, 0u, uv);
         }
-    } else if (isShape(header.type, kShapeMesh)) {
-        vec3 o, d;
-        toMeshSpace(object, ray, o, d);
-        traceMesh(header.root, object, o, d, any, hit);
     } else if (isShape(header.type, kShapeCsg)) {
         traceCsg(object, header, ray, hit);
     } else if (sceneHas(kShapeQuadric) || sceneHas(kShapeTorus)) {
         intersectSolid(object, header.type, ray, hit);
+    }
+}
+
+void traceObject(uint object, Ray ray, bool any, inout Hit hit) {
+    ObjectHeader header = objectHeader(object);
+    if (isShape(header.type, kShapeMesh)) {
+        vec3 o, d;
+        toMeshSpace(object, ray, o, d);
+        traceMesh(header.root, object, o, d, any, hit);
+    } else {
+        traceShape(object, header, ray, hit);
     }
 }
 
@@ -35,37 +42,73 @@ void traceRange(uint first, uint end, Ray ray, bool any, inout Hit hit) {
     }
 }
 
-// Descends the hierarchy over the objects. Those without end stand before its root.
+// Descends the hierarchy over the objects and, in the same loop, those of the meshes among them: lanes of a subgroup that
+// are in a mesh do not wait for those that look for one. Objects without end stand before the hierarchy's root.
 void traceObjects(uint root, Ray ray, bool any, inout Hit hit) {
     BoxRay box = boxRay(ray.origin, ray.direction);
     uint bottom = stackDepth;
     uint word = root;
-    bool endless = kEndlessObjects > 0u;
+    uint object = 0u; // the next to be tried of the leaf that the ray is in
+    uint end = kEndlessObjects;
+    if (kEndlessObjects > 0u) {
+        pushEntries(1u, uvec3(root));
+        word = kNone;
+    }
+    uint mesh = kNone; // the object whose mesh the ray is in; kNone: it is among the objects
+    uint bottomOfMesh = 0u;
+    vec3 o = vec3(0.0), d = vec3(0.0); // the ray in the mesh's space; see traceMesh
+    float skipped = kInfinity;         // kInfinity: it has not come to the mesh's root yet
     while (true) {
-        if (!endless && (word & kLeafBit) == 0u) {
-            uvec4 children;
-            vec4 key = enterChildren(geometryRecord(word), box, hit.t, children);
-            word = nextChild(key, children);
-        } else {
-            uint first = 0u;
-            uint end = kEndlessObjects;
-            if (!endless) {
-                first = word & kLeafFirstMask;
-                end = first + ((word & ~kLeafBit) >> kLeafCountShift);
-                word = kNone;
+        if ((word & kLeafBit) == 0u || (mesh != kNone && word != kNone)) {
+            GeometryRecord record = geometryRecord(word & kLeafFirstMask);
+            if ((word & kLeafBit) == 0u) {
+                uvec4 children;
+                vec4 key = enterChildren(record, box, hit.t, children);
+                word = nextChild(key, children);
+                if (mesh != kNone && skipped == kInfinity) {
+                    skipped = key.x;
+                    o += skipped * d;
+                }
+            } else {
+                if (intersectTriangle(o, d, skipped, record, hit.t, hit.uv)) {
+                    hit.object = mesh;
+                    hit.primitive = word & kLeafFirstMask;
+                }
+                word = withoutFirst(word);
             }
-            endless = false;
-            traceRange(first, end, ray, any, hit);
-            if (any && hit.object != kNone) {
-                stackDepth = bottom;
-                return;
-            }
+        } else if (word != kNone) {
+            object = word & kLeafFirstMask;
+            end = object + ((word & ~kLeafBit) >> kLeafCountShift);
+            word = kNone;
         }
         if (word == kNone) {
-            if (stackDepth == bottom) {
-                return;
+            if (mesh != kNone && stackDepth == bottomOfMesh) {
+                mesh = kNone;
+                box = boxRay(ray.origin, ray.direction);
             }
-            word = popEntry();
+            if (mesh == kNone && object < end) {
+                ObjectHeader header = objectHeader(object);
+                if (isShape(header.type, kShapeMesh)) {
+                    toMeshSpace(object, ray, o, d);
+                    box = boxRay(o, d);
+                    mesh = object;
+                    bottomOfMesh = stackDepth;
+                    skipped = kInfinity;
+                    word = header.root;
+                } else {
+                    traceShape(object, header, ray, hit);
+                }
+                ++object;
+            } else {
+                if (stackDepth == bottom) {
+                    return;
+                }
+                word = popEntry();
+            }
+        }
+        if (any && hit.object != kNone) {
+            stackDepth = bottom;
+            return;
         }
     }
 }
