@@ -67,7 +67,8 @@ dmat4 placed(const dvec3& at, double turn) {
 Scene quadrics() {
     Scene scene = sceneOf("quadrics", {0, 6, 9}, {0, 0.4, 0});
     for (int i = 0; i < 49; ++i) {
-        const dvec3 at(1.4 * (i % 7 - 3), 0.7, 1.4 * (i / 7 - 3));
+        const int row = i / 7;
+        const dvec3 at(1.4 * (i % 7 - 3), 0.7, 1.4 * (row - 3));
         const std::size_t material = i % 5 == 0 ? kMirror : i % 5 == 1 ? kGlass : kRed;
         if (i % 4 == 0) {
             add(scene, Torus{0.4, 0.15, placed(at, i)}, material);
@@ -90,7 +91,8 @@ Scene csg() {
         scene.csgLeaves.push_back({.shape = std::move(shape), .material = material, .emission = dvec3(0), .where = {}});
     };
     for (int i = 0; i < 25; ++i) {
-        const dvec3 at(1.8 * (i % 5 - 2), 0.7, 1.8 * (i / 5 - 2));
+        const int row = i / 5;
+        const dvec3 at(1.8 * (i % 5 - 2), 0.7, 1.8 * (row - 2));
         Csg solid{.firstLeaf = scene.csgLeaves.size(),
                   .program = {CsgStep::Leaf, CsgStep::Leaf, CsgStep::Difference, CsgStep::Leaf, CsgStep::Union}};
         Quadric box = boxQuadric(dvec3(0.5));
@@ -109,7 +111,8 @@ Scene instances() {
     Scene scene = sceneOf("instances", {-3, 2.6, 24}, {3, -0.6, 14});
     scene.meshes = {makeTeapot(6)};
     for (int i = 0; i < 10000; ++i) {
-        const dvec3 at(0.8 * (i % 100 - 50), 0, 0.8 * (i / 100 - 80));
+        const int row = i / 100;
+        const dvec3 at(0.8 * (i % 100 - 50), 0, 0.8 * (row - 80));
         add(scene, MeshInstance{0, glm::scale(placed(at, 0.37 * i), dvec3(0.12))}, i % 2 == 0 ? kGray : kRed);
     }
     addFloorAndLamp(scene, 80, 30);

@@ -31,7 +31,7 @@ std::filesystem::path findShaders(const std::string& given) {
         }
         return given;
     }
-    const std::filesystem::path installed = installedFolder() / "shaders";
+    std::filesystem::path installed = installedFolder() / "shaders";
     if (holdsShaders(installed)) {
         return installed;
     }
@@ -50,6 +50,7 @@ std::filesystem::path shippedKernels() {
     return std::filesystem::is_directory(installed, ignored) ? installed : std::filesystem::path(HYALITE_SPIRV_DIR);
 }
 
+// NOLINTBEGIN(concurrency-mt-unsafe): nobody sets them
 std::filesystem::path cacheFolder() {
     if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache != '\0') {
         return std::filesystem::path(cache) / "hyalite";
@@ -59,5 +60,6 @@ std::filesystem::path cacheFolder() {
     }
     return {};
 }
+// NOLINTEND(concurrency-mt-unsafe)
 
 } // namespace hyalite::cli

@@ -91,8 +91,8 @@ std::shared_ptr<const Kernel::Impl> make(const Context::Impl& context, const Tex
 
 } // namespace
 
-Kernel::Kernel(const Context& context, const TexelTables& tables, const ShaderCompiler& compiler, std::string name,
-               const Specialization& specialization) {
+Kernel::Kernel(const Context& context, const TexelTables& tables, const ShaderCompiler& compiler,
+               const std::string& name, const Specialization& specialization) {
     std::promise<Made> made;
     made.set_value(make(context.impl(), tables.impl(), compiler, name, specialization));
     impl_ = made.get_future().share();

@@ -38,7 +38,7 @@ using Specialization = std::map<std::string, std::uint32_t>;
 // Copies are the same pipeline.
 class Kernel {
 public:
-    Kernel(const Context& context, const TexelTables& tables, const ShaderCompiler& compiler, std::string name,
+    Kernel(const Context& context, const TexelTables& tables, const ShaderCompiler& compiler, const std::string& name,
            const Specialization& specialization = {});
 
     // The same, but another core makes it while the caller goes on: what is wrong with it is thrown where it is first

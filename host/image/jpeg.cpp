@@ -35,7 +35,7 @@ bool hasOverfullTable(std::span<const std::byte> file) {
             std::to_integer<std::size_t>(file[mark + 2]) << 8U | std::to_integer<std::size_t>(file[mark + 3]);
         const std::size_t end = std::min(mark + 2 + length, file.size());
         for (std::size_t at = mark + 4; at < end;) {
-            const unsigned number = std::to_integer<unsigned>(file[at]);
+            const auto number = std::to_integer<unsigned>(file[at]);
             std::size_t codes = 0;
             for (const std::byte count : file.subspan(at + 1, std::min(kCounts, file.size() - at - 1))) {
                 codes += std::to_integer<std::size_t>(count);

@@ -33,7 +33,7 @@ Json describe(const Error& error, const std::string& source) {
     Json json{{"source", source},   {"message", error.message()}, {"hint", error.hint()}, {"file", where.file},
               {"line", where.line}, {"column", where.column},     {"kernel", ""},         {"excerpt", excerpt(where)}};
     std::smatch kernel;
-    const std::string message = error.message();
+    const std::string& message = error.message();
     if (std::regex_search(message, kernel, std::regex("kernel '([a-z0-9_]+)'"))) {
         json["kernel"] = kernel[1].str();
     }

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
-#include <cstring>
 #include <sys/mman.h>
+#include <system_error>
 #include <unistd.h>
 
 namespace hyalite::live {
@@ -23,7 +23,8 @@ std::uint64_t now() {
 
 Pulse::Pulse() : file_(::memfd_create("hyalite pulse", 0)) {
     if (file_ < 0 || ::ftruncate(file_, sizeof(Shared)) != 0) {
-        throw Error(ExitCode::Device, std::string("no memory to share with a worker: ") + std::strerror(errno));
+        throw Error(ExitCode::Device,
+                    std::string("no memory to share with a worker: ") + std::generic_category().message(errno));
     }
     map();
 }
@@ -35,7 +36,8 @@ Pulse::Pulse(int shared) : file_(shared) {
 void Pulse::map() {
     void* memory = ::mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED, file_, 0);
     if (memory == MAP_FAILED) {
-        throw Error(ExitCode::Device, std::string("cannot map shared memory: ") + std::strerror(errno));
+        throw Error(ExitCode::Device,
+                    std::string("cannot map shared memory: ") + std::generic_category().message(errno));
     }
     shared_ = static_cast<Shared*>(memory); // zeros: no work
 }

@@ -31,7 +31,7 @@ struct SupervisorOptions {
 };
 
 // What came last of the picture.
-struct Picture {
+struct Picture { // NOLINT(bugprone-exception-escape): no member throws when it is moved
     Json about;
     std::vector<NamedImage> layers; // the first is the picture itself, called "picture"
 };

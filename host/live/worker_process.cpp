@@ -4,11 +4,12 @@
 
 #include <cerrno>
 #include <csignal>
-#include <cstring>
+#include <cstring> // sigdescr_np
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
+#include <system_error>
 #include <unistd.h>
 
 extern char** environ; // NOLINT(readability-redundant-declaration): POSIX has it declared by its user
@@ -25,7 +26,8 @@ constexpr int kPulseFile = 4;
 WorkerProcess::WorkerProcess(std::vector<std::string> arguments) {
     const auto check = [](int error, const char* what) {
         if (error != 0) {
-            throw Error(ExitCode::Device, std::string("cannot start a worker: ") + what + ": " + std::strerror(error));
+            throw Error(ExitCode::Device,
+                        std::string("cannot start a worker: ") + what + ": " + std::generic_category().message(error));
         }
     };
     int sockets[2] = {-1, -1};

@@ -3,6 +3,7 @@
 #include "parity/hull.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -79,7 +80,7 @@ double FieldResult::ulpPercentile(double share) const {
     if (ulps.empty()) {
         return 0;
     }
-    const auto index = static_cast<std::size_t>(share * static_cast<double>(ulps.size() - 1) + 0.5);
+    const auto index = static_cast<std::size_t>(std::llround(share * static_cast<double>(ulps.size() - 1)));
     return double{ulps[index]};
 }
 

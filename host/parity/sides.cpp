@@ -18,8 +18,8 @@ constexpr double kOnSurface = 0x1p-18;
 
 double scaleOf(const Scene& scene, const reference::World& world) {
     double scale = largestComponent(scene.camera.position);
-    for (std::size_t i = 0; i < world.bounded.size(); ++i) {
-        const Bounds bounds = worldBounds(scene, scene.objects[world.bounded[i]]);
+    for (const auto object : world.bounded) {
+        const Bounds bounds = worldBounds(scene, scene.objects[object]);
         scale = std::max({scale, largestComponent(bounds.low), largestComponent(bounds.high)});
     }
     return scale;

@@ -19,11 +19,12 @@ struct Stage {
     std::string where;
 
     // Compares the element that thread `i` answers for.
-    Outcome compare(
+    Outcome compare( // NOLINT(modernize-use-nodiscard): few ask
         std::size_t i, const Answer& device, const Comparison::Twin& twin,
         const Comparison::Inputs& inputs = [] { return OffenderInputs(); }) const {
         return comparison.compare(where, i, device, twin, inputs);
     }
+    // NOLINTNEXTLINE(modernize-use-nodiscard): likewise
     Outcome compareExact(std::size_t i, const Answer& device, const Answer& expected) const {
         return comparison.compareExact(where, i, device, expected);
     }

@@ -191,8 +191,8 @@ void compareEstimateError(const Stage& stage) {
     const auto second = stage.seen.before<shared::FilmColor>(args.second, layers);
     const auto errors = stage.seen.after<glm::vec3>(args.errors, args.count);
     const auto sums = stage.seen.after<float>(args.sums, chunks);
-    const double n = double{args.firstPasses};
-    const double m = double{args.secondPasses};
+    const auto n = double{args.firstPasses};
+    const auto m = double{args.secondPasses};
     std::vector<double> expected(chunks, 0);
     // A mean's roundings change its error e by as much, and e^2 by 2 e times as much
     std::vector<double> scales(chunks, 0);

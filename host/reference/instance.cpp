@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace hyalite::reference {
 
@@ -33,7 +34,7 @@ std::vector<Passage> passages(const Instance& instance, const Ray& world) {
 
 } // namespace
 
-MeshTree::MeshTree(const Mesh& source) : mesh(source) {
+MeshTree::MeshTree(Mesh source) : mesh(std::move(source)) {
     std::vector<Box> boxes(mesh.triangles.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         for (const glm::dvec3& corner : triangle(i).corners) {

@@ -13,7 +13,7 @@
 namespace hyalite::reference {
 
 struct MeshTree {
-    explicit MeshTree(const Mesh& source);
+    explicit MeshTree(Mesh source);
 
     [[nodiscard]] Triangle triangle(std::size_t index) const;
 

@@ -93,7 +93,7 @@ void PhotonMaps::build() {
     const gpu::Array<shared::Photon> photons = upload(device_, lists_.global);
     base = sortInto(global_, photons, base, globalRadius_);
     if (records) {
-        base = sortInto(irradiance_, computeIrradiance(photons), base, globalRadius_);
+        static_cast<void>(sortInto(irradiance_, computeIrradiance(photons), base, globalRadius_));
     }
 }
 

@@ -20,8 +20,8 @@ public:
 
     // Adds to `direct` what reaches the points that shade_surface left of `count` paths: from one light picked in
     // proportion to power (light = kNone), or from the light named. Returns the number of shadow rays.
-    std::uint32_t sample(shared::RoughPointArray points, shared::ColorArray direct, std::uint32_t count,
-                         std::uint32_t light, std::uint32_t pass) const;
+    [[nodiscard]] std::uint32_t sample(shared::RoughPointArray points, shared::ColorArray direct, std::uint32_t count,
+                                       std::uint32_t light, std::uint32_t pass) const;
 
 private:
     Device& device_;

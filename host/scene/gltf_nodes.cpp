@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <iterator>
 
 namespace hyalite {
 namespace {
@@ -97,9 +98,8 @@ std::vector<GltfPlacement> placeGltfMeshes(GltfDocument& document) {
     };
     std::vector<Open> open;
     const auto pushAll = [&](const std::vector<std::size_t>& list, const glm::dmat4& toFile) {
-        for (auto node = list.rbegin(); node != list.rend(); ++node) { // the first is walked first
-            open.push_back({*node, toFile});
-        }
+        std::transform(list.rbegin(), list.rend(), std::back_inserter(open), // the first is walked first
+                       [&](std::size_t node) { return Open{node, toFile}; });
     };
     pushAll(sceneRoots(document, *nodes), glm::dmat4(1));
 

@@ -112,7 +112,7 @@ void readOperand(const Value& value, const Surroundings& around, std::vector<Csg
 } // namespace
 
 Shape readCsg(Reader& reader, const Surroundings& around) {
-    const CsgStep operation = choose<CsgStep>(reader.require("op"), "operation", kOperations);
+    const auto operation = choose<CsgStep>(reader.require("op"), "operation", kOperations);
     const std::vector<Value> operands = readOperands(reader);
     const auto cutMaterial = reader.find("cut_material");
     reader.finish(); // before meshes are read for nothing

@@ -59,7 +59,7 @@ public:
     InputFile(const InputFile&) = delete;
     InputFile& operator=(const InputFile&) = delete;
 
-    const std::filesystem::path& write(std::string_view content) const {
+    [[nodiscard]] const std::filesystem::path& write(std::string_view content) const {
         std::ofstream(path_, std::ios::binary).write(content.data(), static_cast<std::streamsize>(content.size()));
         return path_;
     }

@@ -13,12 +13,12 @@ constexpr int kBlocks = 2; // the picture is 2 x 2 blocks of 16 x 16 pixels
 
 // Mean over the channels, block by block.
 std::vector<double> blockMeans(const Image& image) {
-    std::vector<double> means(kBlocks * kBlocks, 0.0);
+    std::vector<double> means(std::size_t{kBlocks} * kBlocks, 0.0);
     const int size = image.width / kBlocks;
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
             const glm::vec3 c = image.at(x, y);
-            means[static_cast<std::size_t>(y / size * kBlocks + x / size)] +=
+            means[static_cast<std::size_t>(y / size) * kBlocks + static_cast<std::size_t>(x / size)] +=
                 double{c.x + c.y + c.z} / (3 * size * size);
         }
     }

@@ -90,7 +90,8 @@ TEST_CASE("the direct photons of a floor under a point light give its irradiance
     double expected = 0;
     for (int i = 0; i < grid * grid; ++i) {
         const double x = (i % grid + 0.5) / grid - 0.5;
-        const double z = (i / grid + 0.5) / grid - 0.5;
+        const int row = i / grid;
+        const double z = (row + 0.5) / grid - 0.5;
         expected += 0.7 / pi * 3 * 2 / std::pow(x * x + z * z + 4, 1.5) / (grid * grid);
     }
     // Seen from straight above by a camera whose picture is that square: tan(fov / 2) = 0.5 / 1

@@ -89,7 +89,7 @@ TEST_CASE("sums are the same in any order, and are what a wider number says") {
     for (std::size_t i = 0; i < values.size(); ++i) {
         forward = shared::filmAdd(forward, sumOf(values[i]));
         backward = shared::filmAdd(backward, sumOf(values[values.size() - 1 - i]));
-        const double value = double{values[i]};
+        const auto value = double{values[i]};
         whole += static_cast<std::uint64_t>(std::floor(value));
         steps += static_cast<std::uint64_t>(std::ldexp(value - std::floor(value), 44));
     }
@@ -192,7 +192,7 @@ TEST_CASE("a sum that the film cannot hold is counted, and stays what it was") {
     for (std::uint32_t pass = 0; pass < 6; pass += 2) { // all of one camera sequence
         small.addPass(pass, bright, std::vector<vec3>(SmallFilm::kPixels, vec3(0)));
     }
-    CHECK(small.film.faults().at(shared::kFilmTooBright).count == 2 * SmallFilm::kPixels);
+    CHECK(small.film.faults().at(shared::kFilmTooBright).count == std::uint64_t{2} * SmallFilm::kPixels);
     CHECK(small.film.faults().at(shared::kFilmTooBright).pass == 2);
     CHECK(small.film.state().sums.at(0)[0].red.high == 1U << 31U);
 }
@@ -210,7 +210,7 @@ TEST_CASE("films that are put together count, add and overflow as one does") {
     CHECK(film.passes.text() == "0:3");
     CHECK(valueOf(film.sums.at(0)[3].blue) == 2);
     const auto fault = [&](std::uint32_t kind) { return film.faults.at(shared::kFilmFaults + kind); };
-    CHECK(fault(shared::kFilmNotANumber).count == 2 * SmallFilm::kPixels);
+    CHECK(fault(shared::kFilmNotANumber).count == std::uint64_t{2} * SmallFilm::kPixels);
     CHECK(fault(shared::kFilmNotANumber).pass == 0);
     CHECK(fault(shared::kFilmTooBright).count == SmallFilm::kPixels);
 }

@@ -76,8 +76,8 @@ TEST_CASE("camera paths lose in glass what the reference says, enter it at its f
         }
         for (std::size_t way = 0; way < 2; ++way) {
             const auto& next = expected.next[way];
-            if (next && bounce.alive.host()[2 * i + way] != 0) {
-                const shared::CameraPath& actual = bounce.nextPaths.host()[2 * i + way];
+            if (next && bounce.alive.host()[2 * std::size_t{i} + way] != 0) {
+                const shared::CameraPath& actual = bounce.nextPaths.host()[2 * std::size_t{i} + way];
                 CHECK(materialOf(both, actual.medium) == next->path.medium);
                 const dvec3 normal = reference::evaluateSurface(both.world, ray, *hit).normal;
                 const double condition = conditioning(ray.direction, next->ray.direction, normal);

@@ -78,7 +78,8 @@ std::vector<shared::VisiblePoint> queriesNear(const PhotonSet& set, double sprea
     for (std::uint32_t i = 0; i < kQueries; ++i) {
         dvec3 at = random.inCube(1.1);
         if (!set.positions.empty() && i % 4 != 0) { // at a photon, near one, anywhere
-            at = dvec3(set.positions[i * 7 % set.positions.size()]) + (i % 4 == 1 ? 0.0 : spread) * random.inCube(1);
+            at = dvec3(set.positions[std::size_t{7} * i % set.positions.size()]) +
+                 (i % 4 == 1 ? 0.0 : spread) * random.inCube(1);
         }
         shared::VisiblePoint x{};
         x.position = vec3(at);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 namespace hyalite::testing {
@@ -116,7 +117,8 @@ TEST_CASE("every photon stands once in the tree, on its side of every node above
             shared::Photon expected = photons[slot];
             REQUIRE(expected.surface != shared::kNone);
             expected.direction |= axisOf(built.nodes[node]) << shared::kSplitAxisShift;
-            REQUIRE(std::memcmp(&expected, &built.nodes[node], sizeof expected) == 0);
+            using Words = std::array<std::uint32_t, sizeof expected / sizeof(std::uint32_t)>;
+            REQUIRE(std::bit_cast<Words>(expected) == std::bit_cast<Words>(built.nodes[node]));
             REQUIRE(built.isOrdered(node));
         }
         CHECK(built.wrongAxes() == 0);

@@ -138,7 +138,7 @@ TEST_CASE("the film's error is the reference's, for even and odd numbers of pass
     reference::LayeredFilm expected(kWidth, kHeight, layers);
     reference::test::Random random;
     const auto picture = [&] {
-        std::vector<vec3> colors(kWidth * kHeight);
+        std::vector<vec3> colors(std::size_t{kWidth} * kHeight);
         for (vec3& color : colors) {
             color = {random.unit(), 10 * random.unit(), 0.01 * random.unit()};
         }

@@ -39,7 +39,8 @@ double chiSquareTail(double x, std::size_t dof) {
     const double y = x / 2;
     double tail = dof % 2 == 1 ? std::erfc(std::sqrt(y)) : std::exp(-y);
     for (double a = dof % 2 == 1 ? 0.5 : 1; a < static_cast<double>(dof) / 2 - 0.25; a += 1) {
-        tail += std::exp(a * std::log(y) - y - std::lgamma(a + 1));
+        tail +=
+            std::exp(a * std::log(y) - y - std::lgamma(a + 1)); // NOLINT(concurrency-mt-unsafe): its sign is not asked
     }
     return std::min(1.0, tail);
 }

@@ -8,8 +8,8 @@ namespace hyalite::testing {
 
 // `most` of them in scripts/test.sh thorough, else a quarter.
 inline std::uint32_t manyRays(std::uint32_t most) {
-    return std::getenv("HYALITE_THOROUGH") != nullptr ? most
-                                                      : most / 4; // NOLINT(concurrency-mt-unsafe): nobody sets it
+    const bool all = std::getenv("HYALITE_THOROUGH") != nullptr; // NOLINT(concurrency-mt-unsafe): nobody sets it
+    return all ? most : most / 4;
 }
 
 } // namespace hyalite::testing

@@ -37,7 +37,7 @@ void overSphere(bool upperHalf, int rowsInBand, const Visit& visit) {
     const double low = upperHalf ? 0 : -1;
     constexpr int kColumns = 400;
     for (int row = 0; row < kBands * rowsInBand; ++row) {
-        const double band = row / rowsInBand;
+        const int band = row / rowsInBand;
         const double top = std::acos(1 - (1 - low) * band / kBands);
         const double step = (std::acos(1 - (1 - low) * (band + 1) / kBands) - top) / rowsInBand;
         const double theta = top + (row % rowsInBand + 0.5) * step;
@@ -82,8 +82,8 @@ TEST_CASE("visible normals are sampled with their density") {
         const dvec3 wo = slanted(angle);
         constexpr int kCells = kBands;
         constexpr int kSamples = 200000;
-        std::vector<double> expected(kCells * kCells);
-        std::vector<double> found(kCells * kCells);
+        std::vector<double> expected(std::size_t{kCells} * kCells);
+        std::vector<double> found(std::size_t{kCells} * kCells);
         const auto cellOf = [](const dvec3& m) {
             const double turn = std::atan2(m.y, m.x) / (2 * pi) + 0.5;
             return std::min(kCells - 1, static_cast<int>(m.z * kCells)) * kCells +
@@ -134,7 +134,8 @@ TEST_CASE("the density of a lobe's directions integrates to the share that is no
             double kept = 0;
             Random random;
             for (int i = 0; i < kSide * kSide; ++i) {
-                const dvec2 uv((i % kSide + random.unit()) / kSide, (i / kSide + random.unit()) / kSide);
+                const int row = i / kSide;
+                const dvec2 uv((i % kSide + random.unit()) / kSide, (row + random.unit()) / kSide);
                 kept += sampleLobe(lobe, kUp, wo, uv, random.unit(), Transport::Radiance) ? 1 : 0;
             }
             kept /= kSide * kSide;
@@ -159,7 +160,8 @@ TEST_CASE("sampling and evaluation agree: the mean weight is the integral of f c
             double mean = 0;
             Random random;
             for (int i = 0; i < kSide * kSide; ++i) {
-                const dvec2 uv((i % kSide + random.unit()) / kSide, (i / kSide + random.unit()) / kSide);
+                const int row = i / kSide;
+                const dvec2 uv((i % kSide + random.unit()) / kSide, (row + random.unit()) / kSide);
                 const auto sample = sampleLobe(lobe, kUp, wo, uv, random.unit(), transport);
                 mean += sample ? sample->weight.y / (kSide * kSide) : 0;
             }
@@ -180,7 +182,8 @@ TEST_CASE("a rough surface gives no more light than it gets, and all but nothing
                 double sum = 0;
                 constexpr int kSide = 60;
                 for (int i = 0; i < kSide * kSide; ++i) {
-                    const dvec2 uv((i % kSide + random.unit()) / kSide, (i / kSide + random.unit()) / kSide);
+                    const int row = i / kSide;
+                    const dvec2 uv((i % kSide + random.unit()) / kSide, (row + random.unit()) / kSide);
                     const auto sample =
                         sampleLobe(frontOf(model), kUp, slanted(angle), uv, random.unit(), Transport::Flux);
                     CHECK((!sample || sample->weight.x <= 1 + 1e-9)); // so of every sample

@@ -36,7 +36,7 @@ std::size_t pixelOf(const dvec3& d, int width, int height) {
     const double v = std::acos(d.y) / pi;
     const int x = std::min(static_cast<int>(u * width), width - 1);
     const int y = std::min(static_cast<int>(v * height), height - 1);
-    return static_cast<std::size_t>(y * width + x);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
 }
 
 } // namespace

@@ -99,8 +99,10 @@ TEST_CASE("lines exactly through corners and edges of a closed mesh pass it an e
     // The cube's diagonals, its faces' diagonals, its edges, and lines in its faces: all coordinates are exact.
     const Instance cube = instanceOf(cubeMesh());
     std::vector<dvec3> places;
+    places.reserve(125);
     for (int i = 0; i < 125; ++i) {
-        places.emplace_back(i % 5 / 2.0 - 0.5, i / 5 % 5 / 2.0 - 0.5, i / 25 / 2.0 - 0.5);
+        const int layer = i / 25;
+        places.emplace_back(i % 5 / 2.0 - 0.5, i / 5 % 5 / 2.0 - 0.5, layer / 2.0 - 0.5);
     }
     int through = 0;
     for (const dvec3& place : places) {
@@ -177,8 +179,8 @@ TEST_CASE("a triangle without area leaves no hole") {
     mesh.positions.emplace_back(0.3F, 0, 0); // on the edge from (0, 0, 0) to (1, 0, 0)
     // That edge belongs to {0, 2, 1} and {0, 1, 4}: the first is split at the new corner, the line joins both.
     mesh.triangles[0] = {0, 2, 8};
-    mesh.triangles.push_back({8, 2, 1});
-    mesh.triangles.push_back({0, 8, 1});
+    mesh.triangles.emplace_back(8, 2, 1);
+    mesh.triangles.emplace_back(0, 8, 1);
     Random random;
     Instance instance = instanceOf(mesh);
     for (int i = 0; i < 5000; ++i) {

@@ -61,7 +61,7 @@ TEST_CASE("the crossings of every solid agree with membership between them, and 
     for (int i = 0; i < 24000; ++i) {
         const Scene scene = solidScene(random, i % kSolidKinds, 1, 10);
         const World world = prepareWorld(scene);
-        const Solid& solid = std::get<Solid>(world.geometry[0]);
+        const auto& solid = std::get<Solid>(world.geometry[0]);
         const Ray ray{.origin = placeOf(scene.objects[0].shape) + random.inCube(1.5), .direction = random.direction()};
         const Crossings list = crossingsOf(solid, ray);
         REQUIRE(list.size() % 2 == 0);

@@ -45,7 +45,7 @@ TEST_CASE("the classic teapot of 2256 triangles is level 6, and other levels mak
     CHECK(makeTeapot(6).triangles.size() == 2256);
     for (const std::uint32_t level : kLevels) {
         // 32 patches of 2 n^2; eight of them have an edge of n segments that is one point.
-        CHECK(makeTeapot(level).triangles.size() == std::size_t{64} * level * level - 8 * level);
+        CHECK(makeTeapot(level).triangles.size() == std::size_t{64} * level * level - std::size_t{8} * level);
     }
 }
 
