@@ -6,6 +6,7 @@
 #include <cctype>
 #include <regex>
 #include <set>
+#include <utility>
 
 namespace hyalite::gpu {
 namespace {
@@ -62,8 +63,8 @@ std::set<std::string> declaredArrays(const std::string& text) {
 
 class Rewriter {
 public:
-    Rewriter(const std::string& line, const std::set<std::string>& arrays, std::string site)
-        : text_(line), arrays_(arrays), site_(std::move(site)) {}
+    Rewriter(std::string line, const std::set<std::string>& arrays, std::string site)
+        : text_(std::move(line)), arrays_(arrays), site_(std::move(site)) {}
 
     std::string run() {
         for (std::size_t i = 0; i < text_.size();) {

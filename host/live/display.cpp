@@ -72,6 +72,7 @@ std::vector<std::uint8_t> shownBytes(const Image& image, const Display& display)
     bytes.reserve(4 * shown.pixels.size());
     for (const vec3& pixel : shown.pixels) {
         for (int i = 0; i < 3; ++i) {
+            // NOLINTNEXTLINE(bugprone-incorrect-roundings): never negative
             bytes.push_back(table.at(static_cast<std::size_t>(std::sqrt(pixel[i]) * 4096 + 0.5F)));
         }
         bytes.push_back(255);

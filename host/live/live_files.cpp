@@ -32,7 +32,7 @@ std::optional<fs::path> canonicalFile(const fs::path& path) {
 
 } // namespace
 
-LiveFiles::LiveFiles(fs::path shaders, fs::path scene)
+LiveFiles::LiveFiles(const fs::path& shaders, const fs::path& scene)
     : shaders_(fs::weakly_canonical(shaders)), scene_(fs::weakly_canonical(scene)) {}
 
 void LiveFiles::setCode(const std::vector<std::string>& files) {

@@ -11,7 +11,7 @@ namespace hyalite::live {
 
 class LiveFiles {
 public:
-    LiveFiles(std::filesystem::path shaders, std::filesystem::path scene);
+    LiveFiles(const std::filesystem::path& shaders, const std::filesystem::path& scene);
 
     // The GLSL files that the scene names; those outside its folder are left out.
     void setCode(const std::vector<std::string>& files);

@@ -5,11 +5,19 @@
 #include "parity/observed.h"
 #include "parity/sides.h"
 
+#include <algorithm>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace hyalite::parity {
+
+// For records that are copied, not computed.
+template <class T>
+[[nodiscard]] bool sameBits(const T& a, const T& b) {
+    return std::ranges::equal(std::as_bytes(std::span(&a, 1)), std::as_bytes(std::span(&b, 1)));
+}
 
 // What a comparison of one dispatch sees and fills. `where` names the dispatch; threads are added to it.
 struct Stage {

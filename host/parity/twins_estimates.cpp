@@ -8,18 +8,11 @@
 #include "shaders/shared/kernel_arguments.h"
 #include "shaders/shared/limits.h"
 
-#include <array>
-#include <bit>
-
 namespace hyalite::parity {
 
 namespace {
 
 using glm::dvec3;
-
-std::array<std::uint32_t, sizeof(shared::Photon) / sizeof(std::uint32_t)> bitsOf(const shared::Photon& photon) {
-    return std::bit_cast<std::array<std::uint32_t, sizeof(shared::Photon) / sizeof(std::uint32_t)>>(photon);
-}
 
 // The photons of the table, as the reference keeps them.
 reference::PhotonMap mapOf(const Stage& stage, std::size_t first, std::size_t count) {
@@ -147,7 +140,7 @@ void compareStoreIrradiance(const Stage& stage) {
         const bool isNone = expected.surface == shared::kNone; // of which nothing else counts
         Answer device;
         device.exact("surface", records[i].surface);
-        device.exact("record", isNone || bitsOf(records[i]) == bitsOf(expected) ? 1 : 0);
+        device.exact("record", isNone || sameBits(records[i], expected) ? 1 : 0);
         Answer answer;
         answer.exact("surface", expected.surface);
         answer.exact("record", 1);

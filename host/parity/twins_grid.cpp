@@ -6,7 +6,6 @@
 #include "shaders/shared/limits.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace hyalite::parity {
 
@@ -100,7 +99,7 @@ void compareSortPhotons(const Stage& stage) {
     const auto sorted = stage.seen.after<shared::Photon>(args.sorted, args.count);
     for (std::size_t i = 0; i < args.count; ++i) {
         Answer device;
-        device.exact("photon", std::memcmp(&sorted[i], &photons[order[i]], sizeof(shared::Photon)) == 0 ? 1 : 0);
+        device.exact("photon", sameBits(sorted[i], photons[order[i]]) ? 1 : 0);
         Answer answer;
         answer.exact("photon", 1);
         stage.compareExact(i, device, answer);

@@ -3,16 +3,9 @@
 
 #include "shaders/shared/kernel_arguments.h"
 
-#include <cstring>
-
 namespace hyalite::parity {
 
 namespace {
-
-template <class T>
-bool sameBits(const T& a, const T& b) {
-    return std::memcmp(&a, &b, sizeof(T)) == 0;
-}
 
 template <class Path, class Arguments>
 void compareCompaction(const Stage& stage) {

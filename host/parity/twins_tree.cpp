@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 
 namespace hyalite::parity {
 
@@ -140,7 +139,7 @@ void compareCountDigits(const Stage& stage) {
     const auto args = stage.seen.arguments<shared::CountDigitsArguments>();
     const std::size_t chunks = args.count / 3;
     const auto pairs = stage.seen.before<glm::uvec2>(args.pairs, std::size_t{3} * args.stored);
-    const auto counts = stage.seen.after<uint>(args.counts, 3 * shared::kRadix * chunks);
+    const auto counts = stage.seen.after<uint>(args.counts, std::size_t{3} * shared::kRadix * chunks);
     std::vector<uint> expected(counts.size(), 0);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const std::size_t axis = i / args.stored;
@@ -166,9 +165,7 @@ void compareSortDigits(const Stage& stage) {
         const auto lists = stage.seen.after<KeyedPhoton>(args.lists, std::size_t{3} * args.stored);
         for (std::size_t i = 0; i < args.stored; ++i) {
             const std::size_t at = axis * args.stored + i;
-            const bool agrees = args.last == 0
-                                    ? sorted[at] == expected[i]
-                                    : std::memcmp(&lists[at], &keys[expected[i].y], sizeof(KeyedPhoton)) == 0;
+            const bool agrees = args.last == 0 ? sorted[at] == expected[i] : sameBits(lists[at], keys[expected[i].y]);
             expectOne(stage, at, "photon", agrees ? 1 : 0, 1);
         }
     }
@@ -269,7 +266,7 @@ void comparePlacePhotons(const Stage& stage) {
         expected.direction = (expected.direction & ~axisMask) | (nodes[i] & axisMask);
         Answer device;
         device.exact("slot", order[i]);
-        device.exact("photon", std::memcmp(&sorted[i], &expected, sizeof(expected)) == 0 ? 1 : 0);
+        device.exact("photon", sameBits(sorted[i], expected) ? 1 : 0);
         Answer answer;
         answer.exact("slot", slot);
         answer.exact("photon", 1);

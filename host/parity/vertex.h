@@ -49,9 +49,9 @@ struct DeviceVertex : Vertex {
 // Which path: of a pixel in a pass, or of a photon in a sequence.
 struct PathKey {
     bool isPhoton = false;
-    std::uint32_t sequence = 0; // pass, or seed of the photons' samplers
-    std::uint32_t number = 0;   // pixel or photon
-    auto operator<=>(const PathKey&) const = default;
+    std::uint32_t sequence = 0;                       // pass, or seed of the photons' samplers
+    std::uint32_t number = 0;                         // pixel or photon
+    auto operator<=>(const PathKey&) const = default; // NOLINT(modernize-use-nullptr): it compares with no 0
 };
 
 [[nodiscard]] std::string describeChoice(const Vertex& vertex);

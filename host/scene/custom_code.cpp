@@ -48,7 +48,7 @@ std::shared_ptr<const CustomCode> readCustomCode(const Value& file, const fs::pa
     if (code.text.find('\0') != std::string::npos) {
         file.fail(inQuotes(given.string()) + " is not text");
     }
-    if (std::regex_search(code.text, std::regex("(^|\\n)[ \\t]*#[ \\t]*(include|line|version|extension)"))) {
+    if (std::regex_search(code.text, std::regex(R"((^|\n)[ \t]*#[ \t]*(include|line|version|extension))"))) {
         throw Error(ExitCode::BadInput, SourceLocation{code.file},
                     "code of a scene has no #include, #line, #version or #extension",
                     "lib/math.glsl and shared/random.h are there already");

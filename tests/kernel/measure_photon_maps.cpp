@@ -43,7 +43,8 @@ std::vector<shared::VisiblePoint> pointsOnWalls() {
     for (int wall = 0; wall < 6; ++wall) {
         for (int i = 0; i < rows * rows; ++i) {
             const float u = 2 * (static_cast<float>(i % rows) + 0.5F) / rows - 1;
-            const float v = 2 * (static_cast<float>(i / rows) + 0.5F) / rows - 1;
+            const int row = i / rows;
+            const float v = 2 * (static_cast<float>(row) + 0.5F) / rows - 1;
             vec3 p(u, v, v);
             p[(wall / 2 + 1) % 3] = u;
             p[wall / 2] = wall % 2 == 0 ? -1 : 1;
