@@ -10,7 +10,7 @@ if [[ ! $runs =~ ^[0-9]+$ || $# -gt 2 ]]; then
     exit 2
 fi
 cd "$(realpath "$(dirname "${BASH_SOURCE[0]}")/..")"
-scripts/install-deps.sh lint
+scripts/install-deps.sh fuzz
 cmake --preset fuzz >/dev/null
 cmake --build --preset fuzz --target fuzzers
 

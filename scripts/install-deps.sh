@@ -4,11 +4,12 @@ set -euo pipefail
 
 usage() {
     cat <<'END'
-usage: scripts/install-deps.sh [render|test|lint]
+usage: scripts/install-deps.sh [render|test|fuzz|lint]
 
   render   what building and running hyalite needs (the default)
   test     that, and what the tests need
-  lint     that, and what scripts/lint.sh needs
+  fuzz     what `render` names, and what scripts/fuzz.sh needs
+  lint     what `test` names, and what scripts/lint.sh needs
 
 Debian 12 and 13, as root or with sudo. On Debian 12 Mesa and Catch2 come from the backports suite, whose source
 entry is made from the machine's own Debian entry (docs/setup.md says why).
@@ -30,6 +31,8 @@ render=(cmake ninja-build g++ libvulkan-dev glslang-dev glslang-tools spirv-tool
 # measures rays against.
 test=(catch2 vulkan-validationlayers python3 python3-jsonschema python3-yaml shellcheck clang-format-19 chromium
     chromium-driver python3-selenium fonts-dejavu-core libembree-dev)
+# libclang-rt-dev: the sanitizers and the fuzzer of clang's version, which clang itself only recommends.
+fuzz=(clang libclang-rt-dev python3)
 lint=(clang clang-tidy)
 # Lavapipe before Mesa 25 renders wrong pixels, and the tests are written for Catch2 v3.
 declare -A atLeast=([mesa-vulkan-drivers]=25 [catch2]=3)
@@ -37,6 +40,7 @@ declare -A atLeast=([mesa-vulkan-drivers]=25 [catch2]=3)
 case ${1:-render} in
 render) wanted=("${render[@]}") ;;
 test) wanted=("${render[@]}" "${test[@]}") ;;
+fuzz) wanted=("${render[@]}" "${fuzz[@]}") ;;
 lint) wanted=("${render[@]}" "${test[@]}" "${lint[@]}") ;;
 -h | --help) usage && exit ;;
 *) usage >&2 && exit 2 ;;

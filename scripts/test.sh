@@ -6,7 +6,7 @@ usage() {
     cat <<'END'
 usage: scripts/test.sh [full|thorough|fast|debug|asan|checked] [ctest options]
 
-  full    every test, with the Vulkan validation layers on (the default)
+  full    every test, with the Vulkan validation layers on, then scripts/fuzz.sh for a while (the default)
   thorough
           the same with four times the rays where tests throw millions of them at solids
   fast    the tests not labelled slow, without the layers: for the inner loop
@@ -47,4 +47,9 @@ counts=$(tr '\n' ' ' <"$report" | grep -o '<testsuite [^>]*>')
 if [[ ! $counts =~ disabled=\"0\" || ! $counts =~ skipped=\"0\" ]]; then
     echo "test.sh: some tests were skipped or disabled (listed above): that counts as a failure" >&2
     exit 1
+fi
+
+# libFuzzer: so many inputs for each reader, the same every time until a reader changes
+if [[ $preset == validation && $# -eq 0 ]]; then
+    scripts/fuzz.sh 2000
 fi
