@@ -26,7 +26,7 @@ bool isSame(const std::string& a, const std::string& b) {
 
 } // namespace
 
-Access::Access(std::string address, int port, std::string token) : token_(std::move(token)) {
+Access::Access(const std::string& address, int port, std::string token) : token_(std::move(token)) {
     const std::string suffix = ':' + std::to_string(port);
     for (const std::string& name :
          {std::string("127.0.0.1"), std::string("localhost"), std::string("[::1]"), address}) {

@@ -21,7 +21,7 @@ struct Request {
 class Access {
 public:
     // On the loopback interface alone: `token` is empty. Else `address` is what it listens at.
-    Access(std::string address, int port, std::string token);
+    Access(const std::string& address, int port, std::string token);
 
     // Why the request is refused; nothing: it is not.
     [[nodiscard]] std::optional<std::string> refusal(const Request& request) const;

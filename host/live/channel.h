@@ -12,7 +12,7 @@ namespace hyalite::live {
 
 using Json = nlohmann::json;
 
-struct Message {
+struct Message { // NOLINT(bugprone-exception-escape): no member throws when it is moved
     Json body;
     std::vector<std::byte> bytes;
 

@@ -10,6 +10,7 @@
 #include "scene/render_seed.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hyalite::parity {
 
@@ -37,8 +38,8 @@ PictureResult comparePictures(Image device, Image twin) {
 // One pass of a scene, all paths of which are written down.
 class Recording {
 public:
-    Recording(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const Scene& scene, std::uint32_t pass)
-        : scene_(scene) {
+    Recording(const gpu::Context& context, const gpu::ShaderCompiler& compiler, Scene scene, std::uint32_t pass)
+        : scene_(std::move(scene)) {
         scene_.render.passes = 1;
         render::RenderOptions options;
         options.firstPass = pass;

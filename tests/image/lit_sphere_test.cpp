@@ -56,7 +56,8 @@ ExpectedPixel meanOver(const Camera& camera, const std::function<double(const dv
         double sum = 0;
         for (int i = 0; i < 64; ++i) {
             const double x = (px + (i % 8 + 0.5) / 8) / 4 - 1;
-            const double y = 1 - (py + (i / 8 + 0.5) / 8) / 4; // row 0 on top
+            const int row = i / 8; // row 0 on top
+            const double y = 1 - (py + (row + 0.5) / 8) / 4;
             sum += radiance(pointOnSphere(camera, x, y));
         }
         return sum / 64;
