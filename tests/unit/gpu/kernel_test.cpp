@@ -96,7 +96,7 @@ TEST_CASE("what is wrong with a kernel made in the background is thrown where it
     };
     const Kernel wrong = make("wrong");
     const Kernel right = make("write_constants");
-    const Kernel same = right;
+    const Kernel same = right; // NOLINT(performance-unnecessary-copy-initialization): the copy is what is tested
     CHECK(&same.impl() == &right.impl());
     CHECK(right.interface().pushConstantBytes == 16); // an address and a count, rounded up
     for (int use = 0; use < 2; ++use) {

@@ -138,7 +138,7 @@ TEST_CASE("the passes of a pixel, and their gathering rays, run through each of 
         CHECK(found == std::set<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7});
     }
     for (const auto& [sequence, found] : gathering) {
-        CHECK(found.size() == 8 * kRays);
+        CHECK(found.size() == std::size_t{8} * kRays);
         CHECK(*found.rbegin() == 8 * kRays - 1);
     }
 }
