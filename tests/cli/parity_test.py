@@ -5,7 +5,7 @@ import re
 import time
 
 from planted_faults import FAULTS
-from program import USAGE, CliTest, Setup, scene_file
+from program import TIMEOUT, USAGE, CliTest, Setup, scene_file
 
 
 def small(passes=1, photons=1024):
@@ -13,7 +13,7 @@ def small(passes=1, photons=1024):
 
 
 SMALL = small()
-BAR = 60  # [s] for a scene at its test size
+BAR = TIMEOUT / 2  # [s] for a scene at its test size
 
 
 class Scenes(CliTest):
