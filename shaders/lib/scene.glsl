@@ -25,20 +25,17 @@ void traceShape(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
     }
 }
 
-void traceObject(uint object, Ray ray, bool any, inout Hit hit) {
-    ObjectHeader header = objectHeader(object);
-    if (isShape(header.type, kShapeMesh)) {
-        vec3 o, d;
-        toMeshSpace(object, ray, o, d);
-        traceMesh(header.root, object, o, d, any, hit);
-    } else {
-        traceShape(object, header, ray, hit);
-    }
-}
-
-void traceRange(uint first, uint end, Ray ray, bool any, inout Hit hit) {
-    for (uint object = first; object < end && !(any && hit.object != kNone); ++object) {
-        traceObject(object, ray, any, hit);
+// Tries each object of a scene of few.
+void traceFew(Ray ray, bool any, inout Hit hit) {
+    for (uint object = 0u; object < kFewObjects && !(any && hit.object != kNone); ++object) {
+        ObjectHeader header = objectHeader(object);
+        if (isShape(header.type, kShapeMesh)) {
+            vec3 o, d;
+            toMeshSpace(object, ray, o, d);
+            traceMesh(header.root, object, o, d, any, hit);
+        } else {
+            traceShape(object, header, ray, hit);
+        }
     }
 }
 
@@ -59,9 +56,10 @@ void traceObjects(uint root, Ray ray, bool any, inout Hit hit) {
     vec3 o = vec3(0.0), d = vec3(0.0); // the ray in the mesh's space; see traceMesh
     float skipped = kInfinity;         // kInfinity: it has not come to the mesh's root yet
     while (true) {
-        if ((word & kLeafBit) == 0u || (mesh != kNone && word != kNone)) {
+        bool isNode = (word & kLeafBit) == 0u;
+        if (isNode || (mesh != kNone && word != kNone)) {
             GeometryRecord record = geometryRecord(word & kLeafFirstMask);
-            if ((word & kLeafBit) == 0u) {
+            if (isNode) {
                 uvec4 children;
                 vec4 key = enterChildren(record, box, hit.t, children);
                 word = nextChild(key, children);
@@ -117,7 +115,7 @@ void traceObjects(uint root, Ray ray, bool any, inout Hit hit) {
 Hit traceScene(uint root, Ray ray, bool any) {
     Hit hit = Hit(ray.tMax, kNone, 0u, vec2(0.0));
     if (kFewObjects > 0u) {
-        traceRange(0u, kFewObjects, ray, any, hit);
+        traceFew(ray, any, hit);
     } else {
         traceObjects(root, ray, any, hit);
     }
