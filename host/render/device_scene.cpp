@@ -27,6 +27,11 @@ bool isQuicklyTried(const Object& object) {
            !std::holds_alternative<Csg>(object.shape);
 }
 
+// To full rounds of the stack's variables, so that scenes of much the same depth share their kernels.
+std::uint32_t roundedUp(std::uint32_t stackEntries) {
+    return (stackEntries + shared::kStackTops - 1) / shared::kStackTops * shared::kStackTops;
+}
+
 } // namespace
 
 shared::CameraRecord cameraRecord(const Camera& camera) {
@@ -109,6 +114,8 @@ DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, c
     device.specialization["kShapeTypes"] = objects.shapeTypes;
     device.specialization["kFewObjects"] = areFew ? static_cast<std::uint32_t>(scene.objects.size()) : 0;
     device.specialization["kEndlessObjects"] = objects.endlessCount;
+    device.specialization["kStackEntries"] = roundedUp(objects.stackEntries + meshes.stackEntries);
+    device.specialization["kCsgLeaves"] = std::max(objects.mostLeaves, 1U);
     device.specialization["kMaterialTypes"] = materials.types;
     device.specialization["kLightsSought"] = device.lightCount <= shared::kMostLightsSought ? device.lightCount : 0;
     device.objectOf = std::move(objects.objectOf);

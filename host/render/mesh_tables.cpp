@@ -5,6 +5,7 @@
 
 #include "shaders/shared/scene_records.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace hyalite::render {
@@ -42,6 +43,7 @@ void addMesh(MeshTables& tables, std::size_t number, const Mesh& mesh, std::uint
     const std::uint32_t root = recordsOf(tables.geometry);
     relocate(bvh, root, firstTriangle);
     tables.roots[number] = root;
+    tables.stackEntries = std::max(tables.stackEntries, bvh.stackEntries);
     tables.geometry.insert(tables.geometry.end(), bvh.texels.begin(), bvh.texels.end());
     tables.fileOrder.insert(tables.fileOrder.end(), bvh.order.begin(), bvh.order.end());
     std::size_t texel = std::size_t{firstTriangle} * shared::kTexelsPerRecord;

@@ -16,6 +16,7 @@ struct MeshTables {
     std::vector<std::uint32_t> order;     // the meshes, as their triangles stand
     std::vector<std::uint32_t> roots;     // by mesh: record of its root
     std::vector<std::uint32_t> fileOrder; // by triangle of the table: its number in the mesh file
+    std::uint32_t stackEntries = 0;       // what a ray in one of the meshes needs at most
 };
 
 // Throws Error(BadInput) where the meshes together have more triangles and nodes than a leaf can name.

@@ -178,6 +178,7 @@ private:
                       std::vector<std::uint32_t>& order) {
         Bvh bvh = buildBvh(boxes, kObjectsPerLeaf);
         table_.rootNode = static_cast<std::uint32_t>(geometry_.size() / shared::kTexelsPerRecord);
+        table_.stackEntries = bvh.stackEntries;
         relocate(bvh, table_.rootNode, table_.endlessCount);
         geometry_.insert(geometry_.end(), bvh.texels.begin(), bvh.texels.end());
         for (const std::uint32_t element : bvh.order) {
@@ -208,6 +209,7 @@ private:
         ObjectRecord r{.type = shared::kShapeCsg, .root = static_cast<std::uint32_t>(geometry_.size())};
         r.texels[0] = vec4(bits(nextLeaf_), bits(leaves), 0, 0);
         nextLeaf_ += leaves;
+        table_.mostLeaves = std::max(table_.mostLeaves, leaves);
         glm::uvec4 words(0);
         for (std::uint32_t i = 0; i < csg.program.size(); ++i) {
             words[static_cast<int>(i / 16)] |= code(csg.program[i]) << 2 * (i % 16);

@@ -20,7 +20,9 @@ struct ObjectTable {
     std::vector<std::uint32_t> leafOf;   // of a leaf of CSG, its number in Scene::csgLeaves; else kNone
     std::uint32_t endlessCount = 0;
     std::uint32_t rootNode = 0;
-    std::uint32_t shapeTypes = 0; // bit kShape… is set for every type that occurs
+    std::uint32_t shapeTypes = 0;   // bit kShape… is set for every type that occurs
+    std::uint32_t stackEntries = 0; // what a ray among the objects needs at most
+    std::uint32_t mostLeaves = 0;   // of a CSG object
 };
 
 // Appends the hierarchy over the objects and the programs of CSG trees to the geometry. Emitting objects are lights

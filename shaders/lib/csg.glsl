@@ -21,15 +21,44 @@ struct LeafState {
     uint behind;  // part of the crossing before; kNone: not known
 };
 
-// The state after the crossing that `state` is at; `start`: at that parameter of the ray instead.
-LeafState nextCrossing(uint leaf, Ray ray, LeafState state, bool start, float startsAt) {
+// The states of a solid's leaves, in their order. A store to an array at an index that is not known costs a branch for
+// every lane of lavapipe, one in a loop over the whole array that is unrolled a blend.
+float leafT[kCsgLeaves];
+uint leafPart[kCsgLeaves];
+int leafWinding[kCsgLeaves]; // of meshes
+int leafEntering[kCsgLeaves];
+uint leafCrossed[kCsgLeaves]; // part of the last crossing
+
+void setLeaf(uint leaf, LeafState state) {
+    for (uint i = 0u; i < kCsgLeaves; ++i) {
+        if (i == leaf) {
+            leafT[i] = state.t;
+            leafPart[i] = state.part;
+            if (sceneHas(kShapeMesh)) {
+                leafWinding[i] = state.winding;
+                leafEntering[i] = state.entering;
+            }
+        }
+    }
+}
+
+void setCrossed(uint leaf, uint part) {
+    for (uint i = 0u; i < kCsgLeaves; ++i) {
+        leafCrossed[i] = i == leaf ? part : leafCrossed[i];
+    }
+}
+
+// The leaf `i` of a solid whose first one is `first`, after the crossing that it is at; `start`: at that parameter of the
+// ray instead.
+LeafState nextCrossing(uint first, uint i, Ray ray, bool start, float startsAt) {
+    uint leaf = first + i;
     ObjectHeader header = objectHeader(leaf);
-    float after = start ? startsAt : state.t;
+    float after = start ? startsAt : leafT[i];
     if (isShape(header.type, kShapeMesh)) {
         vec3 o, d;
         toMeshSpace(leaf, ray, o, d);
-        MeshCrossing next = nextMeshCrossing(header.root, o, d, after, start ? kNone : state.part, start);
-        int winding = start ? next.winding : state.winding + state.entering;
+        MeshCrossing next = nextMeshCrossing(header.root, o, d, after, start ? kNone : leafPart[i], start);
+        int winding = start ? next.winding : leafWinding[i] + leafEntering[i];
         return LeafState(next.t, next.triangle, winding, next.entering, kNone);
     }
     Crossings crossings = solidCrossings(leaf, header.type, ray);
@@ -91,8 +120,6 @@ void traceCsg(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
     uvec2 leaves = floatBitsToUint(objectTexel(object, 0u).xy);
     uvec4 program = texelFetch(geometryTable, int(header.root));
     uint steps = 2u * leaves.y - 1u;
-    LeafState states[kMaxCsgLeaves];
-    uint crossed[kMaxCsgLeaves]; // part of each leaf's last crossing
     uint reversed = 0u;          // bits of the leaves whose inside is outside the solid
 
     uint inside = 0u;
@@ -106,12 +133,12 @@ void traceCsg(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
     float placeEnd = start.known ? around : 0.0;
     uint leaf = 0u;
     while (true) {
-        LeafState state = nextCrossing(leaves.x + leaf, ray, states[leaf], starting, start.known ? -around : 0.0);
-        states[leaf] = state;
+        LeafState state = nextCrossing(leaves.x, leaf, ray, starting, start.known ? -around : 0.0);
+        setLeaf(leaf, state);
         uint bit = 1u << leaf;
         inside = state.winding != 0 ? inside | bit : inside & ~bit;
         if (starting) {
-            crossed[leaf] = state.behind;
+            setCrossed(leaf, state.behind);
             reversed |= (objectHeader(leaves.x + leaf).type & kShapeReversed) != 0u ? bit : 0u;
             if (++leaf < leaves.y) {
                 continue;
@@ -123,8 +150,8 @@ void traceCsg(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
 
         float t = kInfinity;
         for (uint i = 0u; i < leaves.y; ++i) {
-            if (states[i].t < t) {
-                t = states[i].t;
+            if (leafT[i] < t) {
+                t = leafT[i];
                 leaf = i;
             }
         }
@@ -138,8 +165,8 @@ void traceCsg(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
                 uint candidates = before != inside ? before ^ inside : ~0u >> (kMaxCsgLeaves - leaves.y);
                 candidates &= (value ? inside : ~inside) ^ reversed; // those crossed in the same sense as the solid
                 uint surface = decidingLeaf(program, steps, candidates, before, inside);
-                if (candidates != 0u && crossed[surface] != kNone) {
-                    reportSurface(leaves.x + surface, placeStart, crossed[surface], value, ray, hit);
+                if (candidates != 0u && leafCrossed[surface] != kNone) {
+                    reportSurface(leaves.x + surface, placeStart, leafCrossed[surface], value, ray, hit);
                     return;
                 }
             }
@@ -151,7 +178,7 @@ void traceCsg(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
             placeStart = t;
             placeEnd = t + max(kPlaceLength * t, around);
         }
-        crossed[leaf] = states[leaf].part;
+        setCrossed(leaf, leafPart[leaf]);
     }
 }
 #endif

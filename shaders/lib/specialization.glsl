@@ -1,6 +1,7 @@
 // What the scene holds, known when a kernel is compiled for it: what it does not hold costs nothing.
 #ifndef HYALITE_SPECIALIZATION_GLSL
 #define HYALITE_SPECIALIZATION_GLSL
+#include "shared/limits.h"
 #include "shared/scene_records.h"
 
 // Bit kShape… is set for every type of shape in the scene, leaves of CSG included.
@@ -20,6 +21,13 @@ layout(constant_id = 7) const uint kDiffuseBounces = 0u;
 
 // Lights of which glass looks whether a way leads to them: all of the table, or none where it is long.
 layout(constant_id = 8) const uint kLightsSought = 0u;
+
+// What a ray may have on its stack at most (stack.glsl). Lavapipe fills a thread's arrays with zeros before it begins: so
+// they are no larger than the scene needs.
+layout(constant_id = 9) const uint kStackEntries = 2u * kTraversalStack;
+
+// The most leaves that a solid of the scene has, at least 1.
+layout(constant_id = 10) const uint kCsgLeaves = kMaxCsgLeaves;
 
 bool sceneHas(uint shape) {
     return ((kShapeTypes >> shape) & 1u) != 0u;

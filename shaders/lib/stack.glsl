@@ -7,6 +7,7 @@
 #ifndef HYALITE_STACK_GLSL
 #define HYALITE_STACK_GLSL
 #include "shared/limits.h"
+#include "lib/specialization.glsl"
 
 uint stackDepth = 0u; // entries
 uint stackTop0 = 0u;  // the topmost
@@ -15,14 +16,14 @@ uint stackTop2 = 0u;
 uint stackTop3 = 0u;
 uint stackTop4 = 0u;
 uint stackTop5 = 0u;
-uint stackRest[2u * kTraversalStack]; // those beneath, the lowest first: two hierarchies, each checked by the host
-const uint kStackTops = 6u;
+const bool kAllInTops = kStackEntries <= kStackTops;
+uint stackRest[kAllInTops ? 1u : kStackEntries - kStackTops]; // those beneath, the lowest first
 
 // Puts the first `count` (0 to 3) of the entries on the stack, the first of them on top.
 void pushEntries(uint count, uvec3 entries) {
     bool one = (count & 1u) != 0u;
     bool two = (count & 2u) != 0u;
-    if (stackDepth + count > kStackTops) {
+    if (!kAllInTops && stackDepth + count > kStackTops) {
         if (count == 3u && stackDepth >= kStackTops - 2u) {
             stackRest[stackDepth - (kStackTops - 2u)] = stackTop3;
         }
@@ -57,7 +58,7 @@ uint popEntry() {
     stackTop3 = stackTop4;
     stackTop4 = stackTop5;
     --stackDepth;
-    if (stackDepth >= kStackTops) {
+    if (!kAllInTops && stackDepth >= kStackTops) {
         stackTop5 = stackRest[stackDepth - kStackTops];
     }
     return entry;

@@ -13,6 +13,9 @@ SHARED_CONSTANT kGroupsPerRow = 32768u;
 // Entries of a ray's traversal stack. The BVH builder computes what a tree needs and refuses one that needs more.
 SHARED_CONSTANT kTraversalStack = 64u;
 
+// Those that stand in variables: 4, 8 or 10 measure alike on lavapipe.
+SHARED_CONSTANT kStackTops = 6u;
+
 // Leaves of one CSG tree: their inside bits are one word, and a program for so many fills one texel.
 SHARED_CONSTANT kMaxCsgLeaves = 32u;
 
