@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace hyalite::render {
 
@@ -30,6 +31,13 @@ bool isQuicklyTried(const Object& object) {
 // To full rounds of the stack's variables, so that scenes of much the same depth share their kernels.
 std::uint32_t roundedUp(std::uint32_t stackEntries) {
     return (stackEntries + shared::kStackTops - 1) / shared::kStackTops * shared::kStackTops;
+}
+
+// Bit kLight… for every type of light.
+std::uint32_t typesOf(const std::vector<shared::LightRecord>& lights) {
+    return std::accumulate(lights.begin(), lights.end(), 0U, [](std::uint32_t types, const shared::LightRecord& light) {
+        return types | 1U << light.type;
+    });
 }
 
 } // namespace
@@ -116,6 +124,7 @@ DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, c
     device.specialization["kEndlessObjects"] = objects.endlessCount;
     device.specialization["kStackEntries"] = roundedUp(objects.stackEntries + meshes.stackEntries);
     device.specialization["kCsgLeaves"] = std::max(objects.mostLeaves, 1U);
+    device.specialization["kLightTypes"] = typesOf(lights.lights);
     device.specialization["kMaterialTypes"] = materials.types;
     device.specialization["kLightsSought"] = device.lightCount <= shared::kMostLightsSought ? device.lightCount : 0;
     device.objectOf = std::move(objects.objectOf);

@@ -6,7 +6,8 @@
 namespace hyalite::render {
 
 LightSampler::LightSampler(Device& device, const DeviceScene& deviceScene, std::uint32_t capacity)
-    : device_(device), deviceScene_(deviceScene), sampleLights_(device.kernel("sample_lights")),
+    : device_(device), deviceScene_(deviceScene),
+      sampleLights_(device.kernel("sample_lights", deviceScene.specialization)),
       traceShadow_(device.kernel("trace_shadow", deviceScene.specialization)),
       shadowRays_(device.context, capacity, "shadow rays"),
       contributions_(device.context, capacity, "light contributions") {}

@@ -7,8 +7,9 @@
 namespace hyalite::render {
 
 PhotonPaths::PhotonPaths(Device& device, const Scene& scene, const DeviceScene& deviceScene, std::uint32_t atOnce)
-    : device_(device), scene_(scene), deviceScene_(deviceScene), emitPhotons_(device.kernel("emit_photons")),
-      emitCausticPhotons_(device.kernel("emit_caustic_photons")),
+    : device_(device), scene_(scene), deviceScene_(deviceScene),
+      emitPhotons_(device.kernel("emit_photons", deviceScene.specialization)),
+      emitCausticPhotons_(device.kernel("emit_caustic_photons", deviceScene.specialization)),
       traceClosest_(device.kernel("trace_closest", deviceScene.specialization)),
       scatterPhoton_(device.kernel("scatter_photon", deviceScene.specialization)), compaction_(device),
       queue_(device.context, atOnce) {}

@@ -9,7 +9,8 @@ namespace hyalite::render {
 
 ShadowPhotonPaths::ShadowPhotonPaths(Device& device, const Scene& scene, const DeviceScene& deviceScene,
                                      std::uint32_t atOnce)
-    : device_(device), scene_(scene), deviceScene_(deviceScene), emitPhotons_(device.kernel("emit_photons")),
+    : device_(device), scene_(scene), deviceScene_(deviceScene),
+      emitPhotons_(device.kernel("emit_photons", deviceScene.specialization)),
       traceClosest_(device.kernel("trace_closest", deviceScene.specialization)),
       castShadowPhotons_(device.kernel("cast_shadow_photons", deviceScene.specialization)), compaction_(device),
       queue_(device.context, atOnce) {}

@@ -24,7 +24,7 @@ Whitted::Whitted(Device& device, const Scene& scene, const DeviceScene& deviceSc
       generateCameraRays_(device.kernel("generate_camera_rays")),
       traceClosest_(device.kernel("trace_closest", deviceScene.specialization)),
       shadeSurface_(device.kernel("shade_surface", deviceScene.specialization)),
-      sampleLights_(device.kernel("sample_lights")),
+      sampleLights_(device.kernel("sample_lights", deviceScene.specialization)),
       traceShadow_(device.kernel("trace_shadow", deviceScene.specialization)), sumPaths_(device.kernel("sum_paths")),
       compaction_(device), roughLight_(device, deviceScene),
       level_(device.context, film.pixelCount(), roughLight_.points(film.pixelCount())),

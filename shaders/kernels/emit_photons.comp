@@ -15,7 +15,7 @@ void main() {
     }
     uint photon = args.first + i;
     Sampler s = photonSampler(args.sequence, photon);
-    uint index = pickLight(args.lights, args.lightCount, sampleUnit(s, kPhotonLight).x);
+    uint index = pickLight(args.lights, args.lightCount, s, kPhotonLight);
     LightRecord light = args.lights.at[index];
     LightRay ray = emitFrom(light, sampleUnit(s, kPhotonOrigin), sampleUnit(s, kPhotonDirection));
     args.rays.at[i] = Ray(startOf(ray), kInfinity, ray.direction, 0u);

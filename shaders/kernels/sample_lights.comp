@@ -23,7 +23,7 @@ void main() {
     // One light in proportion to power and share, or the light asked for, with its own numbers
     bool one = args.light == kNone;
     Sampler s = pathSampler(one ? x.samplerSeed : deriveSequence(x.samplerSeed, args.light), args.pass);
-    uint index = one ? pickLight(args.lights, args.lightCount, sampleUnit(s, cameraLightChoice(vertex)).x) : args.light;
+    uint index = one ? pickLight(args.lights, args.lightCount, s, cameraLightChoice(vertex)) : args.light;
     LightRecord light = args.lights.at[index];
 
     LightSample toLight = sampleLight(light, x.position, sampleUnit(s, cameraLightPoint(vertex)));

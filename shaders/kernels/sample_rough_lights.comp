@@ -23,7 +23,7 @@ void main() {
     uint vertex = x.depth - 1u;
     bool one = args.light == kNone; // one light in proportion to power; else the light asked for, with its own numbers
     Sampler s = pathSampler(one ? x.samplerSeed : deriveSequence(x.samplerSeed, args.light), args.pass);
-    uint index = one ? pickLight(args.lights, args.lightCount, sampleUnit(s, cameraLightChoice(vertex)).x) : args.light;
+    uint index = one ? pickLight(args.lights, args.lightCount, s, cameraLightChoice(vertex)) : args.light;
     LightRecord light = args.lights.at[index];
     float pmf = one ? light.pmf : 1.0;
 

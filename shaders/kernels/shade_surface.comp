@@ -168,7 +168,7 @@ void main() {
     Ray ray = args.rays.at[id];
     if (hit.object == kNone) {
         LightRecord light = args.lights.at[0];
-        if (light.type == kLightEnvironment) {
+        if (isLight(light.type, kLightEnvironment)) {
             emitted = path.beta * environmentRadiance(light, ray.direction) *
                       emissionWeight(light, ray, kInfinity, vec3(0.0), path);
         }

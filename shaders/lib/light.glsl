@@ -21,14 +21,19 @@ uint pickLight(LightArray lights, uint lightCount, float x) {
     return first;
 }
 
+// The same, with a number of the sampler's if there is a choice.
+uint pickLight(LightArray lights, uint lightCount, Sampler s, uint dimension) {
+    return lightCount > 1u ? pickLight(lights, lightCount, sampleUnit(s, dimension).x) : 0u;
+}
+
 // Has the light a surface, which emits on its front as much in every direction?
 bool isSurface(uint type) {
-    return type == kLightQuad || type == kLightDisk || type == kLightSphere || type == kLightMesh;
+    return isLight(type, kLightQuad) || isLight(type, kLightDisk) || isLight(type, kLightSphere) || isLight(type, kLightMesh);
 }
 
 // Does its light come from beyond the scene?
 bool isEndless(uint type) {
-    return type == kLightDirectional || type == kLightEnvironment;
+    return isLight(type, kLightDirectional) || isLight(type, kLightEnvironment);
 }
 
 struct LightPoint {
@@ -56,13 +61,13 @@ LightPoint pointOnLight(LightRecord light, vec2 u) {
     if (!isSurface(light.type)) {
         return LightPoint(light.position, vec3(0.0), 0.0);
     }
-    if (light.type == kLightSphere) {
+    if (isLight(light.type, kLightSphere)) {
         return pointOnSphere(light, uniformSphere(u));
     }
-    if (light.type == kLightMesh) {
+    if (isLight(light.type, kLightMesh)) {
         return pointOnMesh(light, u);
     }
-    vec2 at = light.type == kLightDisk ? concentricDisc(u) : u;
+    vec2 at = isLight(light.type, kLightDisk) ? concentricDisc(u) : u;
     vec3 p = light.position + at.x * light.edge0 + at.y * light.edge1;
     float error = kPlaneError * dot(abs(light.normal), abs(light.position) + abs(light.edge0) + abs(light.edge1));
     return LightPoint(p, light.normal, error);
@@ -70,7 +75,7 @@ LightPoint pointOnLight(LightRecord light, vec2 u) {
 
 // Of a sphere only the half that faces the receiver: what is turned away cannot light it.
 LightPoint pointFacing(LightRecord light, vec3 receiver, vec2 u) {
-    if (light.type != kLightSphere) {
+    if (!isLight(light.type, kLightSphere)) {
         return pointOnLight(light, u);
     }
     vec3 normal = uniformSphere(u);
@@ -79,7 +84,7 @@ LightPoint pointFacing(LightRecord light, vec3 receiver, vec2 u) {
 
 // Area that pointFacing chooses from.
 float areaFacing(LightRecord light) {
-    return light.type == kLightSphere ? 0.5 * light.area : light.area;
+    return isLight(light.type, kLightSphere) ? 0.5 * light.area : light.area;
 }
 
 // Does the line through a point pass the disc where the light's photons start? Of lights that have one.
@@ -92,18 +97,18 @@ bool passesDisc(LightRecord light, vec3 point, vec3 direction) {
 // Does a ray that nothing stops see the front of a quad, a disk or a sphere?
 bool looksAt(LightRecord light, vec3 origin, vec3 direction) {
     vec3 toLight = light.position - origin;
-    if (light.type == kLightSphere) {
+    if (isLight(light.type, kLightSphere)) {
         return dot(toLight, direction) > 0.0 && passesDisc(light, origin, direction);
     }
     float away = dot(light.normal, direction);
-    bool isFlat = light.type == kLightQuad || light.type == kLightDisk;
+    bool isFlat = isLight(light.type, kLightQuad) || isLight(light.type, kLightDisk);
     if (!isFlat || away >= 0.0 || dot(light.normal, toLight) >= 0.0) {
         return false;
     }
     vec3 p = (dot(light.normal, toLight) / away) * direction - toLight; // = at.x edge0 + at.y edge1
     vec3 across = cross(light.edge0, light.edge1);
     vec2 at = vec2(dot(cross(p, light.edge1), across), dot(cross(light.edge0, p), across)) / dot(across, across);
-    return light.type == kLightQuad ? all(greaterThanEqual(at, vec2(0.0))) && all(lessThanEqual(at, vec2(1.0)))
+    return isLight(light.type, kLightQuad) ? all(greaterThanEqual(at, vec2(0.0))) && all(lessThanEqual(at, vec2(1.0)))
                                     : dot(at, at) <= 1.0;
 }
 
@@ -131,7 +136,7 @@ struct LightSample {
 // distance and with this normal (neither matters where it comes from beyond the scene); 0 where it chooses none, at
 // lights that no ray can hit. The light's pmf is not in it.
 float lightPdf(LightRecord light, vec3 receiver, vec3 direction, float distance, vec3 lightNormal) {
-    if (light.type == kLightEnvironment) {
+    if (isLight(light.type, kLightEnvironment)) {
         return environmentPdf(light, environmentRadiance(light, direction));
     }
     float cosLight = -dot(direction, lightNormal);
@@ -139,15 +144,15 @@ float lightPdf(LightRecord light, vec3 receiver, vec3 direction, float distance,
 }
 
 LightSample sampleLight(LightRecord light, vec3 receiver, vec2 u) {
-    if (light.type == kLightDirectional) {
+    if (isLight(light.type, kLightDirectional)) {
         return LightSample(-light.normal, light.emission, 0.0, -light.normal, kInfinity);
     }
-    if (light.type == kLightBeam) {
+    if (isLight(light.type, kLightBeam)) {
         float along = dot(receiver - light.position, light.normal);
         bool isLit = along > 0.0 && passesDisc(light, receiver, light.normal);
         return LightSample(-light.normal, isLit ? light.emission : vec3(0.0), 0.0, -light.normal, along);
     }
-    if (light.type == kLightEnvironment) {
+    if (isLight(light.type, kLightEnvironment)) {
         vec3 direction = sampleEnvironment(light, u);
         vec3 radiance = environmentRadiance(light, direction);
         float pdfW = environmentPdf(light, radiance);
@@ -169,7 +174,7 @@ LightSample sampleLight(LightRecord light, vec3 receiver, vec2 u) {
                            lightPdf(light, receiver, direction, distance, point.normal), shadowDirection,
                            shadowDistance);
     }
-    float share = light.type == kLightSpot ? spotFalloff(light, -direction) : 1.0;
+    float share = isLight(light.type, kLightSpot) ? spotFalloff(light, -direction) : 1.0;
     return LightSample(direction, light.emission * (share / distance2), 0.0, shadowDirection, shadowDistance);
 }
 
@@ -189,7 +194,7 @@ struct LightRay {
 
 // Flux [W] of the light if all that it emits were like its rays in `direction`: on average over emitFrom, its power.
 vec3 rayPower(LightRecord light, vec3 direction) {
-    if (light.type != kLightEnvironment) {
+    if (!isLight(light.type, kLightEnvironment)) {
         return light.power;
     }
     vec3 radiance = environmentRadiance(light, -direction);
@@ -203,16 +208,13 @@ float emissionDensity(LightRecord light, vec3 normal, vec3 direction) {
     if (isSurface(light.type)) {
         return max(0.0, dot(normal, direction)) * kInvPi;
     }
-    switch (light.type) {
-    case kLightPoint:
+    if (isLight(light.type, kLightPoint)) {
         return 0.25 * kInvPi;
-    case kLightSpot:
-        return spotPdf(light, direction);
-    case kLightEnvironment:
-        return environmentPdf(light, environmentRadiance(light, -direction));
-    default:
-        return 0.0;
     }
+    if (isLight(light.type, kLightSpot)) {
+        return spotPdf(light, direction);
+    }
+    return isLight(light.type, kLightEnvironment) ? environmentPdf(light, environmentRadiance(light, -direction)) : 0.0;
 }
 
 // Where a ray of the light's starts [m].
@@ -223,7 +225,7 @@ vec3 startOf(LightRay ray) {
 // Density [1/m^2], across `direction`, with which emitFrom starts its rays of this direction on the line through
 // `point`; 0 for lights that choose the origin first. Of parallel light the direction must be its own.
 float originDensity(LightRecord light, vec3 point, vec3 direction) {
-    bool hasDisc = light.type == kLightBeam || isEndless(light.type);
+    bool hasDisc = isLight(light.type, kLightBeam) || isEndless(light.type);
     return hasDisc && passesDisc(light, point, direction) ? 1.0 / light.area : 0.0;
 }
 
@@ -236,15 +238,15 @@ LightRay emitFromDisc(LightRecord light, vec3 direction, vec2 u) {
 
 // A ray of the light's photons, whose density is in proportion to the flux.
 LightRay emitFrom(LightRecord light, vec2 uOrigin, vec2 uDirection) {
-    if (light.type == kLightEnvironment) {
+    if (isLight(light.type, kLightEnvironment)) {
         return emitFromDisc(light, -sampleEnvironment(light, uDirection), uOrigin);
     }
-    if (light.type == kLightDirectional || light.type == kLightBeam) {
+    if (isLight(light.type, kLightDirectional) || isLight(light.type, kLightBeam)) {
         return emitFromDisc(light, light.normal, uOrigin);
     }
     LightPoint point = pointOnLight(light, uOrigin);
-    vec3 direction = light.type == kLightPoint  ? uniformSphere(uDirection)
-                     : light.type == kLightSpot ? sampleSpot(light, uDirection)
+    vec3 direction = isLight(light.type, kLightPoint)  ? uniformSphere(uDirection)
+                     : isLight(light.type, kLightSpot) ? sampleSpot(light, uDirection)
                                                 : cosineHemisphere(uDirection, point.normal);
     return LightRay(point.position, direction, point.normal, point.error, light.power,
                     emissionDensity(light, point.normal, direction), 0.0);

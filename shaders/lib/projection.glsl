@@ -19,7 +19,7 @@ struct Aim {
 
 // 1 - cosine of the cone that a light at a point shines into.
 float ownExtent(LightRecord light) {
-    return light.type == kLightSpot ? light.cone.y : (isSurface(light.type) ? 1.0 : 2.0);
+    return isLight(light.type, kLightSpot) ? light.cone.y : (isSurface(light.type) ? 1.0 : 2.0);
 }
 
 Aim aimFromPoint(TargetRecord target, LightRecord light, vec3 point) {

@@ -29,6 +29,9 @@ layout(constant_id = 9) const uint kStackEntries = 2u * kTraversalStack;
 // The most leaves that a solid of the scene has, at least 1.
 layout(constant_id = 10) const uint kCsgLeaves = kMaxCsgLeaves;
 
+// Bit kLight… is set for every type of light in the scene. Of one type alone, none is asked for its type.
+layout(constant_id = 11) const uint kLightTypes = 0xffffffffu;
+
 bool sceneHas(uint shape) {
     return ((kShapeTypes >> shape) & 1u) != 0u;
 }
@@ -43,5 +46,9 @@ bool sceneHasRoughLobes() {
 
 bool isMaterial(uint type, uint material) {
     return ((kMaterialTypes >> material) & 1u) != 0u && type == material;
+}
+
+bool isLight(uint type, uint light) {
+    return ((kLightTypes >> light) & 1u) != 0u && (kLightTypes == 1u << light || type == light);
 }
 #endif
