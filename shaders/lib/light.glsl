@@ -163,19 +163,18 @@ LightSample sampleLight(LightRecord light, vec3 receiver, vec2 u) {
     float distance2 = dot(toLight, toLight);
     float distance = sqrt(distance2);
     vec3 direction = toLight / distance;
+    if (!isSurface(light.type)) {
+        float share = isLight(light.type, kLightSpot) ? spotFalloff(light, -direction) : 1.0;
+        return LightSample(direction, light.emission * (share / distance2), 0.0, direction, distance);
+    }
     // Where the ray meets the light is also as wrong as roundings of the way there are, however small the light's own
     // coordinates: the ray ends that much before
     vec3 toEnd = toLight + (point.error + kPlaneError * distance) * point.normal;
     float shadowDistance = length(toEnd);
     vec3 shadowDirection = toEnd / shadowDistance;
-    if (isSurface(light.type)) {
-        float cosLight = max(0.0, -dot(direction, point.normal));
-        return LightSample(direction, light.emission * (cosLight * areaFacing(light) / distance2),
-                           lightPdf(light, receiver, direction, distance, point.normal), shadowDirection,
-                           shadowDistance);
-    }
-    float share = isLight(light.type, kLightSpot) ? spotFalloff(light, -direction) : 1.0;
-    return LightSample(direction, light.emission * (share / distance2), 0.0, shadowDirection, shadowDistance);
+    float cosLight = max(0.0, -dot(direction, point.normal));
+    return LightSample(direction, light.emission * (cosLight * areaFacing(light) / distance2),
+                       lightPdf(light, receiver, direction, distance, point.normal), shadowDirection, shadowDistance);
 }
 
 // ---- From the light into the scene

@@ -14,8 +14,7 @@ void traceShape(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
                isShape(header.type, kShapePlane)) {
         vec2 uv; // a ray that leaves a plane never meets it again
         if (!startAt(object, ray.from).known &&
-            intersectFlat(header.type, ray.origin, ray.direction, objectTexel(object, 0u), objectTexel(object, 1u),
-                          objectTexel(object, 2u), hit.t, uv)) {
+            intersectFlat(object, header.type, ray.origin, ray.direction, hit.t, uv)) {
             hit = Hit(hit.t, object, 0u, uv);
         }
     } else if (isShape(header.type, kShapeCsg)) {

@@ -50,20 +50,22 @@ bool intersectSphere(vec3 o, vec3 d, vec4 sphere, Start start, inout float tMax)
     return true;
 }
 
-// Flat shapes are a plane and two affine coordinates in it; see scene_records.h.
-bool intersectFlat(uint type, vec3 o, vec3 d, vec4 plane, vec4 uRow, vec4 vRow, inout float tMax, out vec2 uv) {
+// Flat shapes are a plane and, but for planes without end, two affine coordinates in it (see scene_records.h), which are
+// looked up only for rays that come to the plane.
+bool intersectFlat(uint object, uint type, vec3 o, vec3 d, inout float tMax, out vec2 uv) {
+    vec4 plane = objectTexel(object, 0u);
     float t = (plane.w - dot(plane.xyz, o)) / dot(plane.xyz, d);
-    vec3 p = o + t * d;
-    uv = vec2(dot(uRow.xyz, p) + uRow.w, dot(vRow.xyz, p) + vRow.w);
-    if (!(t > 0.0 && t < tMax)) {
-        return false;
+    bool meets = t > 0.0 && t < tMax;
+    uv = vec2(0.0);
+    if (meets && !isShape(type, kShapePlane)) {
+        vec4 uRow = objectTexel(object, 1u);
+        vec4 vRow = objectTexel(object, 2u);
+        vec3 p = o + t * d;
+        uv = vec2(dot(uRow.xyz, p) + uRow.w, dot(vRow.xyz, p) + vRow.w);
+        meets = isShape(type, kShapeQuad) ? all(greaterThanEqual(uv, vec2(0.0))) && all(lessThanEqual(uv, vec2(1.0)))
+                                          : dot(uv, uv) <= 1.0;
     }
-    bool beside = isShape(type, kShapeQuad) && (any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0))));
-    beside = beside || (isShape(type, kShapeDisk) && dot(uv, uv) > 1.0);
-    if (beside) {
-        return false;
-    }
-    tMax = t;
-    return true;
+    tMax = meets ? t : tMax;
+    return meets;
 }
 #endif

@@ -12,7 +12,7 @@ FAULTS = [
      "direction += onLens", "globe.yaml", "generate_camera_rays"),
     ("far root of the sphere", "lib/shapes.glsl", "roots.x > 0.0 ? roots.x : roots.y", "roots.y", CAUSTICS,
      "trace_closest"),
-    ("quads that end too early", "lib/shapes.glsl", "greaterThan(uv, vec2(1.0))", "greaterThan(uv, vec2(0.9))", CAUSTICS,
+    ("quads that end too early", "lib/shapes.glsl", "lessThanEqual(uv, vec2(1.0))", "lessThanEqual(uv, vec2(0.9))", CAUSTICS,
      "trace_closest"),
     ("barycentric coordinates swapped", "lib/mesh.glsl", "uv = w.yz /", "uv = w.zy /", TEAPOT, "trace_closest"),
     ("box entered at the wrong side", "lib/bvh.glsl", "bytes(backward.x ? low.w : low.x)", "bytes(low.w)", TEAPOT,
