@@ -313,6 +313,10 @@ void Commands::observe(DispatchObserver* observer) {
     impl_->observer = observer;
 }
 
+bool Commands::areBuffersRead() const {
+    return impl_->observer != nullptr && impl_->observer->readsBuffers();
+}
+
 const std::map<std::string, StageTime>& Commands::times() const {
     return impl_->times;
 }

@@ -42,6 +42,9 @@ public:
     // It must outlive its use.
     void observe(DispatchObserver* observer);
 
+    // Does somebody look at the kernels' buffers?
+    [[nodiscard]] bool areBuffersRead() const;
+
     // Sums over all finished work, by kernel name; empty unless timed.
     [[nodiscard]] const std::map<std::string, StageTime>& times() const;
 

@@ -27,6 +27,9 @@ public:
     virtual void before(const Dispatch& dispatch) = 0;
     virtual void after(const Dispatch& dispatch) = 0;
 
+    // Does it look at what kernels read and write? Then they write also what they could keep to themselves.
+    [[nodiscard]] virtual bool readsBuffers() const { return true; }
+
     // A dispatch runs in pieces of at most so many threads, and between() is called when one is done: it may throw to
     // have the rest left out.
     [[nodiscard]] virtual std::uint32_t threadsOfPiece() const { return std::numeric_limits<std::uint32_t>::max(); }

@@ -38,6 +38,8 @@ public:
         }
     }
 
+    [[nodiscard]] bool readsBuffers() const override { return also_ != nullptr && also_->readsBuffers(); }
+
     // A piece takes ten or twenty milliseconds on two cores: so long at most does somebody wait who drags the camera.
     [[nodiscard]] std::uint32_t threadsOfPiece() const override { return 1U << 14U; }
     void between() override {

@@ -55,13 +55,13 @@ public:
         : context_(context), tables_(tables), recorder_(recorder) {}
 
     void before(const gpu::Dispatch& dispatch) override {
-        constexpr std::array<std::string_view, 4> kSeen{"generate_camera_rays", "start_gather_rays", "shade_surface",
-                                                        "bounce_paths"};
+        constexpr std::array<std::string_view, 5> kSeen{"generate_camera_rays", "start_gather_rays", "shade_surface",
+                                                        "bounce_paths", "trace_whitted"};
         const std::string& kernel = dispatch.kernel.name();
         if (hasPaths_ && kernel.starts_with("emit_")) { // photons of ppm: the camera's paths are at their ends
             throw Interrupted();
         }
-        hasPaths_ = hasPaths_ || kernel == "generate_camera_rays";
+        hasPaths_ = hasPaths_ || kernel == "generate_camera_rays" || kernel == "trace_whitted";
         if (std::ranges::find(kSeen, kernel) != kSeen.end()) {
             seen_.emplace(context_, tables_, dispatch);
         }

@@ -13,8 +13,10 @@ namespace {
 
 // The scene's own code that a kernel runs and that has no twin; nullptr: none.
 const CustomCode* codeWithoutTwin(const Scene& scene, std::string_view kernel) {
-    constexpr std::array<std::string_view, 3> kTextured{"shade_surface", "scatter_photon", "cast_shadow_photons"};
-    constexpr std::array<std::string_view, 3> kReflecting{"shade_surface", "scatter_photon", "sample_rough_lights"};
+    constexpr std::array<std::string_view, 4> kTextured{"shade_surface", "trace_whitted", "scatter_photon",
+                                                        "cast_shadow_photons"};
+    constexpr std::array<std::string_view, 4> kReflecting{"shade_surface", "trace_whitted", "scatter_photon",
+                                                          "sample_rough_lights"};
     if (kernel == "estimate_radiance") {
         return scene.render.photonMap.customFilter.get();
     }

@@ -10,6 +10,8 @@ namespace {
 
 using glm::dvec3;
 
+constexpr std::size_t kWhole = SIZE_MAX / 1024; // of arrays by pixel: as many as there are
+
 // The part of a vertex that follows from its ray and hit.
 DeviceVertex vertexAt(const Sides& sides, const shared::Ray& ray, const shared::Hit& hit,
                       std::optional<reference::Surface>& surface) {
@@ -59,7 +61,14 @@ std::string describeChoice(const Vertex& vertex) {
 
 void PathRecorder::see(const Observed& dispatch) {
     const std::string& kernel = dispatch.kernel();
-    if (kernel == "generate_camera_rays") {
+    if (kernel == "trace_whitted") {
+        if (dispatch.arguments<shared::TraceWhittedArguments>().fromCamera != 0) {
+            fromCamera_ = ++cameraPasses_ <= kRecordedPasses;
+        }
+        if (fromCamera_) {
+            seeTree(dispatch);
+        }
+    } else if (kernel == "generate_camera_rays") {
         fromCamera_ = ++cameraPasses_ <= kRecordedPasses;
     } else if (kernel == "start_gather_rays") {
         fromCamera_ = false;
@@ -77,38 +86,53 @@ void PathRecorder::see(const Observed& dispatch) {
 
 void PathRecorder::seeShading(const Observed& dispatch) {
     const auto args = dispatch.arguments<shared::ShadeSurfaceArguments>();
-    const std::size_t slots = (1 + args.split) * std::size_t{args.count};
-    const std::size_t all = SIZE_MAX / 1024;
     const auto rays = dispatch.before<shared::Ray>(args.rays, args.count);
     const auto hits = dispatch.before<shared::Hit>(args.hits, args.count);
     const auto paths = dispatch.before<shared::CameraPath>(args.paths, args.count);
-    const auto visible = dispatch.after<shared::VisiblePoint>(args.visiblePoints, all);
-    const auto nextRays = dispatch.after<shared::Ray>(args.nextRays, slots);
-    const auto alive = dispatch.after<shared::uint>(args.alive, slots);
+    const auto visible = dispatch.after<shared::VisiblePoint>(args.visiblePoints, kWhole);
+    const auto nextRays = dispatch.after<shared::Ray>(args.nextRays, args.count);
+    const auto alive = dispatch.after<shared::uint>(args.alive, args.count);
     for (std::size_t i = 0; i < args.count; ++i) {
-        if (leavesOut(paths[i].pixel)) {
-            continue;
-        }
-        std::optional<reference::Surface> surface;
-        DeviceVertex vertex = vertexAt(sides_, rays[i], hits[i], surface);
-        vertex.seed = paths[i].samplerSeed;
-        vertex.depth = args.depth;
-        vertex.medium = paths[i].medium;
-        vertex.weight = dvec3(paths[i].beta);
-        vertex.pdfW = double{paths[i].pdfW};
-        // A path that goes on from diffuse surfaces may have left a point at an earlier one
-        const shared::VisiblePoint& point = visible[args.split != 0 ? i : paths[i].pixel];
-        vertex.choice = point.depth == args.depth && point.f != glm::vec3(0) ? kDiffuse : 0;
-        for (std::size_t slot = (1 + args.split) * i; slot <= (1 + args.split) * i + args.split; ++slot) {
-            vertex.choice |= alive[slot] != 0 ? wayOn(surface, nextRays[slot]) : 0;
-        }
-        std::vector<DeviceVertex>& path = paths_[{false, args.pass, paths[i].pixel}];
-        const bool hasEnded =
-            args.split == 0 && !path.empty() && (path.back().choice & (kDiffuse | kBounced)) == kDiffuse;
+        const std::uint32_t pixel = paths[i].pixel;
+        const std::vector<DeviceVertex>& path = paths_[{false, args.pass, pixel}];
+        const bool hasEnded = !path.empty() && (path.back().choice & (kDiffuse | kBounced)) == kDiffuse;
         if (!hasEnded) { // what follows a visible point is another integrator's matter
-            path.push_back(vertex);
+            addVertex({rays[i], hits[i], paths[i], visible[pixel], nextRays.subspan(i, alive[i])}, args.depth,
+                      args.pass);
         }
     }
+}
+
+void PathRecorder::seeTree(const Observed& dispatch) {
+    const auto args = dispatch.arguments<shared::TraceWhittedArguments>();
+    const auto rays = dispatch.after<shared::Ray>(args.keptRays, args.count);
+    const auto hits = dispatch.after<shared::Hit>(args.hits, args.count);
+    const auto paths = dispatch.after<shared::CameraPath>(args.keptPaths, args.count);
+    const auto visible = dispatch.after<shared::VisiblePoint>(args.visiblePoints, args.count);
+    const auto nextRays = dispatch.after<shared::Ray>(args.nextRays, 2 * std::size_t{args.count});
+    const auto alive = dispatch.after<shared::uint>(args.alive, args.count);
+    for (std::size_t i = 0; i < args.count; ++i) {
+        addVertex({rays[i], hits[i], paths[i], visible[i], nextRays.subspan(2 * i, alive[i])}, args.depth, args.pass);
+    }
+}
+
+void PathRecorder::addVertex(const Shaded& shaded, std::uint32_t depth, std::uint32_t pass) {
+    if (leavesOut(shaded.path.pixel)) {
+        return;
+    }
+    std::optional<reference::Surface> surface;
+    DeviceVertex vertex = vertexAt(sides_, shaded.ray, shaded.hit, surface);
+    vertex.seed = shaded.path.samplerSeed;
+    vertex.depth = depth;
+    vertex.medium = shaded.path.medium;
+    vertex.weight = dvec3(shaded.path.beta);
+    vertex.pdfW = double{shaded.path.pdfW};
+    // A path that goes on from diffuse surfaces may have left a point at an earlier one
+    vertex.choice = shaded.visible.depth == depth && shaded.visible.f != glm::vec3(0) ? kDiffuse : 0;
+    for (const shared::Ray& next : shaded.next) {
+        vertex.choice |= wayOn(surface, next);
+    }
+    paths_[{false, pass, shaded.path.pixel}].push_back(vertex);
 }
 
 void PathRecorder::seeBounces(const Observed& dispatch) {

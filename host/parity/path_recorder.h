@@ -35,7 +35,18 @@ public:
     [[nodiscard]] const std::map<std::uint32_t, RecordedPass>& photonPasses() const { return photonPasses_; }
 
 private:
+    // A camera path at its hit, and the rays that go on from there.
+    struct Shaded {
+        const shared::Ray& ray;
+        const shared::Hit& hit;
+        const shared::CameraPath& path;
+        const shared::VisiblePoint& visible;
+        std::span<const shared::Ray> next;
+    };
+
     void seeShading(const Observed& dispatch);
+    void seeTree(const Observed& dispatch);
+    void addVertex(const Shaded& shaded, std::uint32_t depth, std::uint32_t pass);
     void seeBounces(const Observed& dispatch);
     void seeEmission(const Observed& dispatch);
     void seeScattering(const Observed& dispatch);

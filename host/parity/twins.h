@@ -38,6 +38,11 @@ struct Stage {
     }
 };
 
+// One element of generate_camera_rays, of trace_closest: of kernels that do more than these, too.
+void compareCameraRay(const Stage& stage, std::size_t i, std::uint32_t pixel, std::uint32_t pass,
+                      const shared::Ray& ray, const shared::CameraPath& path);
+void compareClosestHit(const Stage& stage, std::size_t i, const shared::Ray& ray, const shared::Hit& hit);
+
 using TwinFunction = void (*)(const Stage&);
 
 // nullptr: there is none.
@@ -45,9 +50,10 @@ using TwinFunction = void (*)(const Stage&);
 
 // By file of host/parity/.
 void compareGenerateCameraRays(const Stage& stage); // twins_camera.cpp
-void compareShadeSurface(const Stage& stage);
 void compareBouncePaths(const Stage& stage);
 void compareStartGatherRays(const Stage& stage);
+void compareShadeSurface(const Stage& stage); // twins_shading.cpp
+void compareTraceWhitted(const Stage& stage);
 void compareTraceClosest(const Stage& stage); // twins_rays.cpp
 void compareTraceShadow(const Stage& stage);
 void compareSampleLights(const Stage& stage); // twins_lights.cpp
@@ -59,6 +65,7 @@ void compareCastShadowPhotons(const Stage& stage);
 void compareSumChunks(const Stage& stage); // twins_queues.cpp
 void compareScanGroup(const Stage& stage);
 void compareScanChunks(const Stage& stage);
+void compareListNextRays(const Stage& stage);
 void compareCompactCameraPaths(const Stage& stage);
 void compareCompactPhotonPaths(const Stage& stage);
 void compareCountCells(const Stage& stage); // twins_grid.cpp

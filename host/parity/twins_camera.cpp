@@ -1,5 +1,5 @@
-// Camera paths: their start, and what becomes of them at surfaces.
-#include "parity/at_hit.h"
+// Camera paths: their start, and where they go on from diffuse surfaces.
+#include "parity/twins.h"
 
 #include "reference/path.h"
 #include "reference/sampling.h"
@@ -15,221 +15,39 @@ namespace {
 
 using glm::dvec3;
 
-// A shading on either side, slot by slot of the next rays.
-struct Slots {
-    std::array<bool, 2> alive{};
-    std::array<reference::Ray, 2> rays;
-    std::array<reference::CameraPath, 2> paths;
-    double arriving =
-        0; // throughput that came here: what a lobe makes of it may be a small share, and is right to that
-};
-
-struct NextFields {
-    std::string_view alive, through, movedOff, seed, medium, origin, direction, beta, pdfW;
-};
-constexpr NextFields kFirst{"next 1",        "next 1 through",   "next 1 moved off", "next 1 seed", "next 1 medium",
-                            "next 1 origin", "next 1 direction", "next 1 beta",      "next 1 pdfW"};
-constexpr NextFields kSecond{"next 2",        "next 2 through",   "next 2 moved off", "next 2 seed", "next 2 medium",
-                             "next 2 origin", "next 2 direction", "next 2 beta",      "next 2 pdfW"};
-
-// `surface`: where the ray leaves, in double precision. A ray must start on the side that it goes to.
-void addNext(Answer& answer, const NextFields& fields, const Sides& sides, const Slots& slots, std::size_t slot,
-             const reference::Surface& surface, bool isCsg) {
-    answer.exact(fields.alive, slots.alive[slot] ? 1 : 0);
-    if (!slots.alive[slot]) {
-        return;
-    }
-    const reference::Ray& ray = slots.rays[slot];
-    const reference::CameraPath& path = slots.paths[slot];
-    const double side = glm::dot(ray.direction, surface.geometricNormal) < 0 ? -1 : 1;
-    answer.exact(fields.through, side < 0 ? 1 : 0);
-    answer.exact(fields.movedOff,
-                 isCsg || side * glm::dot(ray.origin - surface.position, surface.geometricNormal) >= 0 ? 1 : 0);
-    answer.exact(fields.seed, path.samplerSeed);
-    answer.exact(fields.medium, sides.numberOf(path.medium));
-    answer.vector(fields.origin, ray.origin);
-    answer.vector(fields.direction, ray.direction);
-    answer.vector(fields.beta, path.beta, slots.arriving);
-    answer.number(fields.pdfW, path.pdfW);
-}
-
-// `isOff`: it stands on the side that the path came from.
-void addVisible(Answer& answer, const reference::VisiblePoint& x, bool isOff) {
-    answer.exact("visible moved off", isOff ? 1 : 0);
-    answer.exact("visible depth", x.depth);
-    answer.exact("visible seed", x.samplerSeed);
-    answer.exact("visible coat", x.coated ? 1 : 0);
-    answer.vector("visible position", x.shadowOrigin);
-    answer.vector("visible normal", x.normal);
-    answer.vector("visible side", x.geometricNormal);
-    answer.vector("visible f", x.f);
-}
-
-void addRough(Answer& answer, const reference::RoughPoint& x) {
-    answer.exact("rough seed", x.samplerSeed);
-    answer.vector("rough position", x.surface.position);
-    answer.vector("rough normal", x.surface.normal);
-    answer.vector("rough wo", x.wo);
-    answer.vector("rough beta", x.beta);
-    answer.number("rough eta", std::holds_alternative<Dielectric>(x.lobe.model) ? x.lobe.eta : 1);
-    answer.number("rough alpha", x.lobe.alpha);
-}
-
-struct ShadeStage {
-    const Stage& stage;
-    shared::ShadeSurfaceArguments args;
-    std::span<const shared::Ray> rays;
-    std::span<const shared::Hit> hits;
-    std::span<const shared::CameraPath> paths;
-    std::span<const glm::vec3> emittedBefore, emitted;
-    std::span<const shared::VisiblePoint> visible;
-    std::span<const shared::RoughPoint> rough;
-    std::span<const shared::Ray> nextRays;
-    std::span<const shared::CameraPath> nextPaths;
-    std::span<const shared::uint> alive;
-
-    explicit ShadeStage(const Stage& s) : stage(s), args(s.seen.arguments<shared::ShadeSurfaceArguments>()) {
-        const std::size_t slots = (1 + args.split) * std::size_t{args.count};
-        const std::size_t all = SIZE_MAX / 1024; // results stand at pixels: as many as there are
-        rays = s.seen.before<shared::Ray>(args.rays, args.count);
-        hits = s.seen.before<shared::Hit>(args.hits, args.count);
-        paths = s.seen.before<shared::CameraPath>(args.paths, args.count);
-        emittedBefore = s.seen.before<glm::vec3>(args.emitted, all);
-        emitted = s.seen.after<glm::vec3>(args.emitted, all);
-        visible = s.seen.after<shared::VisiblePoint>(args.visiblePoints, all);
-        rough = s.seen.after<shared::RoughPoint>(args.roughPoints, args.count);
-        nextRays = s.seen.after<shared::Ray>(args.nextRays, slots);
-        nextPaths = s.seen.after<shared::CameraPath>(args.nextPaths, slots);
-        alive = s.seen.after<shared::uint>(args.alive, slots);
-    }
-
-    [[nodiscard]] bool hasRough(std::size_t i) const { return i < rough.size() && rough.size() == args.count; }
-
-    // What the device made of path i; `surface`: the twin's, nullptr where the ray hits nothing.
-    [[nodiscard]] Answer deviceAnswer(std::size_t i, const reference::Surface* surface, bool isCsg) const {
-        const std::size_t result = args.split != 0 ? i : paths[i].pixel;
-        // Not of an earlier surface, nor where nothing is reflected
-        const bool isVisible = visible[result].depth == args.depth && visible[result].f != glm::vec3(0);
-        const bool isRough = hasRough(i) && rough[i].depth != 0;
-        Answer answer;
-        answer.exact("visible", isVisible ? 1 : 0);
-        answer.exact("rough", isRough ? 1 : 0);
-        if (surface != nullptr) {
-            Slots slots{.alive = {}, .rays = {}, .paths = {}, .arriving = largestComponent(dvec3(paths[i].beta))};
-            for (std::size_t slot = 0; slot <= args.split; ++slot) {
-                const std::size_t at = (1 + args.split) * i + slot;
-                slots.alive[slot] = alive[at] != 0;
-                slots.rays[slot] = stage.sides.toTwin(nextRays[at]);
-                slots.paths[slot] = stage.sides.toTwin(nextPaths[at]);
-            }
-            addNext(answer, kFirst, stage.sides, slots, 0, *surface, isCsg);
-            addNext(answer, kSecond, stage.sides, slots, 1, *surface, isCsg);
-        }
-        if (isVisible) {
-            const reference::VisiblePoint x = stage.sides.toTwin(visible[result]);
-            const bool isOff =
-                surface == nullptr || isCsg || glm::dot(x.position - surface->position, surface->geometricNormal) >= 0;
-            addVisible(answer, x, isOff);
-        }
-        if (isRough) {
-            addRough(answer, stage.sides.toTwin(rough[i]));
-        }
-        answer.vector("emitted", dvec3(emitted[result]));
-        return answer;
-    }
-
-    [[nodiscard]] Answer twinAnswer(std::size_t i, std::optional<reference::Hit> hit, Nudge nudge) const {
-        const Sides& sides = stage.sides;
-        reference::Ray ray = sides.toTwin(rays[i]);
-        ray.origin = nudge.point(ray.origin, sides.scale());
-        ray.direction = nudge.direction(ray.direction);
-        const reference::CameraPath path = sides.toTwin(paths[i]);
-        reference::Shading shading;
-        Slots slots{.alive = {}, .rays = {}, .paths = {}, .arriving = largestComponent(path.beta)};
-        reference::Surface surface{};
-        if (hit) {
-            hit->t = nudge.number(hit->t);
-            hit->u = nudge.number(hit->u);
-            hit->v = nudge.number(hit->v);
-            surface = reference::evaluateSurface(sides.world(), ray, *hit);
-            shading = reference::shadeSurface(sides.world(), ray, *hit, path, args.depth, args.pass);
-            if (shading.visible && shading.visible->f == dvec3(0)) {
-                shading.visible.reset();
-            }
-        } else {
-            shading = reference::shadeMiss(sides.world(), ray, path);
-        }
-        // With one slot, reflected and refracted rays share it
-        for (std::size_t child = 0; child < 2; ++child) {
-            if (const auto& next = shading.next.at(child)) {
-                const std::size_t slot = args.split != 0 ? child : 0;
-                slots.alive.at(slot) = true;
-                slots.rays.at(slot) = next->ray;
-                slots.paths.at(slot) = next->path;
-            }
-        }
-        const std::size_t result = args.split != 0 ? i : paths[i].pixel;
-        const bool adds = args.split == 0 && args.depth > 1;
-        Answer answer;
-        answer.exact("visible", shading.visible ? 1 : 0);
-        answer.exact("rough", shading.rough && hasRough(i) ? 1 : 0);
-        if (hit) {
-            addNext(answer, kFirst, sides, slots, 0, surface, true);
-            addNext(answer, kSecond, sides, slots, 1, surface, true);
-        }
-        if (shading.visible) {
-            addVisible(answer, *shading.visible, true);
-        }
-        if (shading.rough && hasRough(i)) {
-            addRough(answer, *shading.rough);
-        }
-        answer.vector("emitted", shading.emitted + (adds ? dvec3(emittedBefore[result]) : dvec3(0)));
-        return answer;
-    }
-
-    void compare(std::size_t i) const {
-        compareAtHit(*this, i, [&] {
-            return OffenderInputs{{"pixel", std::to_string(paths[i].pixel)}, {"beta", describe(dvec3(paths[i].beta))}};
-        });
-    }
-};
-
 } // namespace
+
+void compareCameraRay(const Stage& stage, std::size_t i, std::uint32_t pixel, std::uint32_t pass,
+                      const shared::Ray& ray, const shared::CameraPath& path) {
+    Answer device;
+    device.exact("pixel", path.pixel);
+    device.exact("seed", path.samplerSeed);
+    device.exact("medium", path.medium);
+    device.vector("beta", dvec3(path.beta));
+    device.number("pdfW", double{path.pdfW});
+    device.vector("origin", dvec3(ray.origin));
+    device.vector("direction", dvec3(ray.direction));
+    stage.compare(i, device, [&](Nudge) {
+        const reference::Ray started = reference::generateCameraRay(stage.sides.world(), pixel, pass);
+        const reference::CameraPath begun = reference::beginCameraPath(stage.sides.world(), pixel, pass);
+        Answer answer;
+        answer.exact("pixel", pixel);
+        answer.exact("seed", begun.samplerSeed);
+        answer.exact("medium", stage.sides.numberOf(begun.medium));
+        answer.vector("beta", begun.beta);
+        answer.number("pdfW", begun.pdfW);
+        answer.vector("origin", started.origin);
+        answer.vector("direction", started.direction);
+        return answer;
+    });
+}
 
 void compareGenerateCameraRays(const Stage& stage) {
     const auto args = stage.seen.arguments<shared::GenerateCameraRaysArguments>();
     const auto rays = stage.seen.after<shared::Ray>(args.rays, args.count);
     const auto paths = stage.seen.after<shared::CameraPath>(args.paths, args.count);
     for (std::uint32_t pixel = 0; pixel < args.count; ++pixel) {
-        const shared::CameraPath& path = paths[pixel];
-        Answer device;
-        device.exact("pixel", path.pixel);
-        device.exact("seed", path.samplerSeed);
-        device.exact("medium", path.medium);
-        device.vector("beta", dvec3(path.beta));
-        device.number("pdfW", double{path.pdfW});
-        device.vector("origin", dvec3(rays[pixel].origin));
-        device.vector("direction", dvec3(rays[pixel].direction));
-        stage.compare(pixel, device, [&](Nudge) {
-            const reference::Ray ray = reference::generateCameraRay(stage.sides.world(), pixel, args.pass);
-            const reference::CameraPath started = reference::beginCameraPath(stage.sides.world(), pixel, args.pass);
-            Answer answer;
-            answer.exact("pixel", pixel);
-            answer.exact("seed", started.samplerSeed);
-            answer.exact("medium", stage.sides.numberOf(started.medium));
-            answer.vector("beta", started.beta);
-            answer.number("pdfW", started.pdfW);
-            answer.vector("origin", ray.origin);
-            answer.vector("direction", ray.direction);
-            return answer;
-        });
-    }
-}
-
-void compareShadeSurface(const Stage& stage) {
-    const ShadeStage shade(stage);
-    for (std::size_t i = 0; i < shade.args.count; ++i) {
-        shade.compare(i);
+        compareCameraRay(stage, pixel, pixel, args.pass, rays[pixel], paths[pixel]);
     }
 }
 

@@ -107,14 +107,13 @@ void compareSplatPhotons(const Stage& stage) {
 
 void compareSumPaths(const Stage& stage) {
     const auto args = stage.seen.arguments<shared::SumPathsArguments>();
-    const auto paths = stage.seen.before<shared::CameraPath>(args.paths, args.count);
-    const auto emitted = stage.seen.before<glm::vec3>(args.emitted, args.count);
-    const auto direct = stage.seen.before<glm::vec3>(args.direct, args.count);
+    const auto pixels = stage.seen.before<shared::uint>(args.pixels, args.count);
+    const auto light = stage.seen.before<glm::vec3>(args.light, args.count);
     const auto before = stage.seen.before<glm::vec3>(args.radiance, kWhole);
     const auto after = stage.seen.after<glm::vec3>(args.radiance, kWhole);
     std::vector<dvec3> expected(before.begin(), before.end());
     for (std::size_t i = 0; i < args.count; ++i) {
-        expected[paths[i].pixel] += dvec3(emitted[i]) + dvec3(direct[i]);
+        expected[pixels[i]] += dvec3(light[i]);
     }
     for (std::size_t pixel = 0; pixel < expected.size(); ++pixel) {
         compareColor(stage, pixel, after[pixel], expected[pixel]);

@@ -2,6 +2,7 @@
 #include "parity/twins.h"
 
 #include "shaders/shared/kernel_arguments.h"
+#include "shaders/shared/limits.h"
 
 namespace hyalite::parity {
 
@@ -82,6 +83,22 @@ void compareScanChunks(const Stage& stage) {
     const std::size_t chunks = (args.count + shared::kScanChunk - 1) / shared::kScanChunk;
     compareSums(stage, values, stage.seen.after<shared::uint>(args.sums, std::size_t{args.count} + 1),
                 stage.seen.before<shared::uint>(args.chunkOffsets, chunks));
+}
+
+void compareListNextRays(const Stage& stage) {
+    const auto args = stage.seen.arguments<shared::ListNextRaysArguments>();
+    const auto alive = stage.seen.before<shared::uint>(args.alive, args.count);
+    const auto slots = stage.seen.after<shared::uint>(args.slots, std::size_t{args.slotsOfPath} * args.count);
+    std::size_t to = 0;
+    for (std::uint32_t i = 0; i < args.count; ++i) {
+        for (std::uint32_t child = 0; child < alive[i]; ++child, ++to) {
+            Answer device;
+            device.exact("slot", to < slots.size() ? slots[to] : shared::kNone);
+            Answer expected;
+            expected.exact("slot", args.slotsOfPath * i + child);
+            stage.compareExact(to, device, expected);
+        }
+    }
 }
 
 void compareCompactCameraPaths(const Stage& stage) {

@@ -25,32 +25,35 @@ Answer answerOf(const Sides& sides, const reference::Ray& ray, const std::option
 
 } // namespace
 
+void compareClosestHit(const Stage& stage, std::size_t i, const shared::Ray& ray, const shared::Hit& hit) {
+    const Sides& sides = stage.sides;
+    const std::optional<reference::Hit> found = sides.toTwin(hit);
+    const Answer device = answerOf(sides, sides.toTwin(ray), found);
+    stage.compare(
+        i, device,
+        [&](Nudge nudge) {
+            reference::Ray twin = sides.toTwin(ray);
+            twin.origin = nudge.point(twin.origin, sides.scale());
+            twin.direction = nudge.direction(twin.direction);
+            const std::optional<reference::Hit> met = sides.trace(twin, ray.from);
+            if (!nudge.movesNothing() && sides.areInOnePlace(sides.toTwin(ray), found, met)) {
+                return device;
+            }
+            return answerOf(sides, twin, met);
+        },
+        [&] {
+            return OffenderInputs{{"origin", describe(dvec3(ray.origin))},
+                                  {"direction", describe(dvec3(ray.direction))},
+                                  {"from", std::to_string(ray.from)}};
+        });
+}
+
 void compareTraceClosest(const Stage& stage) {
     const auto args = stage.seen.arguments<shared::TraceClosestArguments>();
     const auto rays = stage.seen.before<shared::Ray>(args.rays, args.count);
     const auto hits = stage.seen.after<shared::Hit>(args.hits, args.count);
-    const Sides& sides = stage.sides;
     for (std::size_t i = 0; i < args.count; ++i) {
-        const shared::Ray& ray = rays[i];
-        const std::optional<reference::Hit> found = sides.toTwin(hits[i]);
-        const Answer device = answerOf(sides, sides.toTwin(ray), found);
-        stage.compare(
-            i, device,
-            [&](Nudge nudge) {
-                reference::Ray twin = sides.toTwin(ray);
-                twin.origin = nudge.point(twin.origin, sides.scale());
-                twin.direction = nudge.direction(twin.direction);
-                const std::optional<reference::Hit> hit = sides.trace(twin, ray.from);
-                if (!nudge.movesNothing() && sides.areInOnePlace(sides.toTwin(ray), found, hit)) {
-                    return device;
-                }
-                return answerOf(sides, twin, hit);
-            },
-            [&] {
-                return OffenderInputs{{"origin", describe(dvec3(ray.origin))},
-                                      {"direction", describe(dvec3(ray.direction))},
-                                      {"from", std::to_string(ray.from)}};
-            });
+        compareClosestHit(stage, i, rays[i], hits[i]);
     }
 }
 

@@ -20,7 +20,7 @@ CameraPaths::CameraPaths(Device& device, const Scene& scene, const DeviceScene& 
       generateCameraRays_(device.kernel("generate_camera_rays")),
       traceClosest_(device.kernel("trace_closest", deviceScene.specialization)),
       shadeSurface_(device.kernel("shade_surface", shading(deviceScene, atDiffuse))), compaction_(device),
-      queue_(device.context, capacity, 1), roughLight_(device, deviceScene),
+      queue_(device.context, capacity), roughLight_(device, deviceScene),
       roughPoints_(device.context, roughLight_.points(capacity), "rough points") {}
 
 void CameraPaths::generate(std::uint32_t pass) {
@@ -43,25 +43,10 @@ RaysTraced CameraPaths::follow(std::uint32_t pass, const gpu::Array<shared::Visi
                      shared::TraceClosestArguments{queue.rays, queue.hits, queue.count, deviceScene_.rootNode, width},
                      queue.count);
         commands.run(shadeSurface_,
-                     shared::ShadeSurfaceArguments{queue.rays,
-                                                   queue.hits,
-                                                   queue.paths,
-                                                   deviceScene_.materials,
-                                                   deviceScene_.lights,
-                                                   deviceScene_.normals,
-                                                   deviceScene_.instances,
-                                                   visiblePoints,
-                                                   emitted,
-                                                   queue.nextRays,
-                                                   queue.nextPaths,
-                                                   queue.alive,
-                                                   queue.count,
-                                                   depth,
-                                                   scene_.render.maxDepth,
-                                                   pass,
-                                                   /*split*/ 0,
-                                                   /*minWeight*/ 0,
-                                                   roughPoints_,
+                     shared::ShadeSurfaceArguments{queue.rays, queue.hits, queue.paths, deviceScene_.materials,
+                                                   deviceScene_.lights, deviceScene_.normals, deviceScene_.instances,
+                                                   visiblePoints, emitted, queue.nextRays, queue.nextPaths, queue.alive,
+                                                   queue.count, depth, scene_.render.maxDepth, pass, roughPoints_,
                                                    width},
                      queue.count);
         rays.camera += queue.count;

@@ -14,20 +14,19 @@ struct RayQueue {
     gpu::Array<shared::uint> offsets; // exclusive sums of alive
     std::uint32_t count = 0;          // paths in flight
 
-    // `children`: next rays that one path may leave.
-    RayQueue(const gpu::Context& context, std::uint32_t capacity, std::uint32_t children, const std::string& name);
+    RayQueue(const gpu::Context& context, std::uint32_t capacity, const std::string& name);
     [[nodiscard]] std::uint32_t capacity() const { return static_cast<std::uint32_t>(rays.count()); }
 };
 
-// Sums up which of `slots` next rays are alive, and how many; finishes the commands recorded so far.
+// Sums up which of the first `paths` next rays are alive, and how many; finishes the commands recorded so far.
 [[nodiscard]] std::uint32_t countAlive(Device& device, PrefixSum& prefixSum, const RayQueue& queue,
-                                       std::uint32_t slots);
+                                       std::uint32_t paths);
 
 struct CameraQueue : RayQueue {
     gpu::Array<shared::CameraPath> paths;
     gpu::Array<shared::CameraPath> nextPaths;
 
-    CameraQueue(const gpu::Context& context, std::uint32_t capacity, std::uint32_t children);
+    CameraQueue(const gpu::Context& context, std::uint32_t capacity);
 };
 
 // So many photons fill both cores of a small machine and every GPU; the rest of a pass waits, and takes no room.
@@ -47,23 +46,14 @@ public:
     // `kernel`: the one that takes the arguments.
     Compaction(const Device& device, const std::string& kernel) : kernel_(device.kernel(kernel)), prefixSum_(device) {}
 
-    // How many of the first `slots` next rays are alive; finishes the commands recorded so far.
-    [[nodiscard]] std::uint32_t countAlive(Device& device, const Queue& queue, std::uint32_t slots) {
-        return render::countAlive(device, prefixSum_, queue, slots);
-    }
-
-    // After countAlive, which gave `alive`: makes them the rays and paths of `to`, which may be `from` itself and has
-    // room for them.
-    void move(Device& device, const Queue& from, Queue& to, std::uint32_t slots, std::uint32_t alive) const {
+    // Of the next rays that `paths` may have left; finishes the commands recorded so far.
+    void run(Device& device, Queue& queue, std::uint32_t paths) {
+        const std::uint32_t alive = countAlive(device, prefixSum_, queue, paths);
         device.commands.run(
-            kernel_, Arguments{from.alive, from.offsets, from.nextRays, from.nextPaths, to.rays, to.paths, slots},
-            alive > 0 ? slots : 0);
-        to.count = alive;
-    }
-
-    // Both, in one queue.
-    void run(Device& device, Queue& queue, std::uint32_t slots) {
-        move(device, queue, queue, slots, countAlive(device, queue, slots));
+            kernel_,
+            Arguments{queue.alive, queue.offsets, queue.nextRays, queue.nextPaths, queue.rays, queue.paths, paths},
+            alive > 0 ? paths : 0);
+        queue.count = alive;
     }
 
 private:

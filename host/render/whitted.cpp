@@ -2,123 +2,115 @@
 
 #include "scene/render_seed.h"
 
-#include <utility>
-
 namespace hyalite::render {
 
 namespace {
 
-constexpr std::uint32_t kSplit = 1; // both children of a dielectric are followed
-constexpr std::uint32_t kChildren = 1 + kSplit;
+constexpr std::uint32_t kSlotsOfPath = 2; // for a reflected ray and a refracted one
 
 } // namespace
 
-Whitted::Level::Level(const gpu::Context& context, std::uint32_t capacity, std::uint32_t roughPointCount)
-    : queue(context, capacity, kChildren), visiblePoints(context, capacity, "visible points"),
-      roughPoints(context, roughPointCount, "rough points"), shadowRays(context, capacity, "shadow rays"),
-      contributions(context, capacity, "light contributions"), emitted(context, capacity, "emitted light"),
-      direct(context, capacity, "direct light") {}
-
 Whitted::Whitted(Device& device, const Scene& scene, const DeviceScene& deviceScene, const Film& film)
     : device_(device), scene_(scene), deviceScene_(deviceScene), film_(film),
-      generateCameraRays_(device.kernel("generate_camera_rays")),
-      traceClosest_(device.kernel("trace_closest", deviceScene.specialization)),
-      shadeSurface_(device.kernel("shade_surface", deviceScene.specialization)),
-      sampleLights_(device.kernel("sample_lights", deviceScene.specialization)),
-      traceShadow_(device.kernel("trace_shadow", deviceScene.specialization)), sumPaths_(device.kernel("sum_paths")),
-      compaction_(device), roughLight_(device, deviceScene),
-      level_(device.context, film.pixelCount(), roughLight_.points(film.pixelCount())),
-      radiance_(device.context, film.pixelCount(), "radiance") {}
+      traceWhitted_(device.kernel("trace_whitted", deviceScene.specialization)), sumPaths_(device.kernel("sum_paths")),
+      nextRays_(device), roughLight_(device, deviceScene), radiance_(device.context, film.pixelCount(), "radiance") {}
+
+Whitted::Level& Whitted::levelFor(std::uint32_t depth, std::uint32_t count) {
+    Level& level = levels_.at(depth % 2);
+    if (level.capacity() < count) {
+        // Kept for the passes to come, whose levels are of much the same size; the first has a ray per pixel in each
+        const std::uint32_t capacity = depth == 1 ? count : count + count / 4;
+        const gpu::Context& context = device_.context;
+        device_.commands.finish(); // what was recorded may use those that are replaced
+        level = {};
+        level = {.slots = {context, capacity, "slots of rays"},
+                 .nextRays = {context, std::size_t{kSlotsOfPath} * capacity, "next rays"},
+                 .nextPaths = {context, std::size_t{kSlotsOfPath} * capacity, "next camera paths"},
+                 .alive = {context, capacity, "next rays alive"},
+                 .pixels = {context, capacity, "pixels of rays"},
+                 .light = {context, capacity, "light of a level"},
+                 .roughPoints = {context, roughLight_.points(capacity), "rough points"}};
+    }
+    return level;
+}
+
+void Whitted::keepFor(std::uint32_t count) {
+    if (kept_.rays.count() < count) {
+        const gpu::Context& context = device_.context;
+        kept_ = {.rays = {context, count, "kept rays"},
+                 .paths = {context, count, "kept camera paths"},
+                 .hits = {context, count, "kept hits"},
+                 .emitted = {context, count, "kept emission"},
+                 .visiblePoints = {context, count, "kept visible points"}};
+    }
+}
 
 void Whitted::renderPass(std::uint32_t pass) {
-    CameraQueue& queue = level_.queue;
-    queue.count = film_.pixelCount();
-    device_.commands.run(generateCameraRays_,
-                         shared::GenerateCameraRaysArguments{queue.rays, queue.paths, renderSeed(scene_.render),
-                                                             deviceScene_.camera, queue.count, pass},
-                         queue.count);
-    device_.commands.clear(radiance_.buffer());
     // One level of every pixel's tree of rays at a time
-    for (std::uint32_t depth = 1; level_.queue.count > 0; ++depth) {
-        // Hits, their emission, and the reflected and refracted rays that go on from them
-        shade(pass, depth);
-        // Light straight from every lamp onto diffuse and rough surfaces
-        sampleEveryLight(pass);
-        // Both belong to the pixel; the paths of a pixel stand together, so that their sum has one order
-        device_.commands.run(
-            sumPaths_,
-            shared::SumPathsArguments{level_.queue.paths, level_.emitted, level_.direct, radiance_, level_.queue.count},
-            level_.queue.count);
-        descend();
+    std::uint32_t count = film_.pixelCount();
+    levelFor(1, count);
+    for (std::uint32_t depth = 1; count > 0; ++depth) {
+        trace(pass, depth, count);
+        const Level& level = levels_.at(depth % 2);
+        if (depth > 1) { // the rays of a pixel stand together, so that their sum has one order
+            device_.commands.run(sumPaths_, shared::SumPathsArguments{level.pixels, level.light, radiance_, count},
+                                 count);
+        }
+        const std::uint32_t alive = nextRays_.count(device_, level.alive, count);
+        if (alive > 0) {
+            nextRays_.list(device_, level.alive, count, kSlotsOfPath, levelFor(depth + 1, alive).slots);
+        }
+        count = alive;
     }
     film_.add(device_, 0, radiance_);
     device_.commands.finish();
 }
 
-void Whitted::shade(std::uint32_t pass, std::uint32_t depth) {
-    CameraQueue& queue = level_.queue;
-    const std::uint32_t width = deviceScene_.widthOf(queue.count);
-    device_.commands.run(
-        traceClosest_, shared::TraceClosestArguments{queue.rays, queue.hits, queue.count, deviceScene_.rootNode, width},
-        queue.count);
-    // The camera ray itself is neither reflection nor refraction
-    const std::uint32_t maxDepth = scene_.render.maxDepth + 1;
-    device_.commands.run(shadeSurface_,
-                         shared::ShadeSurfaceArguments{queue.rays,
-                                                       queue.hits,
-                                                       queue.paths,
-                                                       deviceScene_.materials,
-                                                       deviceScene_.lights,
-                                                       deviceScene_.normals,
-                                                       deviceScene_.instances,
-                                                       level_.visiblePoints,
-                                                       level_.emitted,
-                                                       queue.nextRays,
-                                                       queue.nextPaths,
-                                                       queue.alive,
-                                                       queue.count,
-                                                       depth,
-                                                       maxDepth,
-                                                       pass,
-                                                       kSplit,
-                                                       static_cast<float>(scene_.render.minWeight),
-                                                       level_.roughPoints,
-                                                       width},
-                         queue.count);
-    counts_.cameraRays += queue.count;
-}
-
-void Whitted::sampleEveryLight(std::uint32_t pass) {
-    const std::uint32_t count = level_.queue.count;
-    const std::uint32_t width = deviceScene_.widthOf(count);
-    device_.commands.clear(level_.direct.buffer(), std::size_t{count} * sizeof(glm::vec3));
-    for (std::uint32_t light = 0; light < deviceScene_.lightCount; ++light) {
-        device_.commands.run(
-            sampleLights_,
-            shared::SampleLightsArguments{level_.visiblePoints, deviceScene_.lights, level_.shadowRays,
-                                          level_.contributions, count, deviceScene_.lightCount, light, pass,
-                                          /*maxDepth*/ scene_.render.maxDepth + 2, /*bounceDepth*/ 0, width},
-            count);
-        device_.commands.run(traceShadow_,
-                             shared::TraceShadowArguments{level_.shadowRays, level_.contributions, level_.direct, count,
-                                                          deviceScene_.rootNode, width},
-                             count);
-        counts_.shadowRays += count;
-        counts_.shadowRays += roughLight_.sample(level_.roughPoints, level_.direct, count, light, pass);
+void Whitted::trace(std::uint32_t pass, std::uint32_t depth, std::uint32_t count) {
+    const bool keeps = device_.commands.areBuffersRead();
+    if (keeps) {
+        keepFor(count);
     }
-}
-
-void Whitted::descend() {
-    const std::uint32_t slots = kChildren * level_.queue.count;
-    const std::uint32_t alive = compaction_.countAlive(device_, level_.queue, slots);
-    if (alive <= level_.queue.capacity()) {
-        compaction_.move(device_, level_.queue, level_.queue, slots, alive);
-    } else { // a level of many splits: more room, kept for the passes to come
-        const std::uint32_t capacity = alive + alive / 4;
-        Level larger(device_.context, capacity, roughLight_.points(capacity));
-        compaction_.move(device_, level_.queue, larger.queue, slots, alive);
-        device_.commands.finish();
-        level_ = std::move(larger);
+    const Level& level = levels_.at(depth % 2);
+    const Level& before = levels_.at((depth + 1) % 2);
+    const bool fromCamera = depth == 1;
+    const gpu::Array<glm::vec3>& light = fromCamera ? radiance_ : level.light;
+    device_.commands.run(traceWhitted_,
+                         shared::TraceWhittedArguments{.slots = level.slots,
+                                                       .rays = before.nextRays,
+                                                       .paths = before.nextPaths,
+                                                       .materials = deviceScene_.materials,
+                                                       .lights = deviceScene_.lights,
+                                                       .normals = deviceScene_.normals,
+                                                       .instances = deviceScene_.instances,
+                                                       .light = light,
+                                                       .pixels = level.pixels,
+                                                       .roughPoints = level.roughPoints,
+                                                       .nextRays = level.nextRays,
+                                                       .nextPaths = level.nextPaths,
+                                                       .alive = level.alive,
+                                                       .seed = renderSeed(scene_.render),
+                                                       .camera = deviceScene_.camera,
+                                                       .count = count,
+                                                       .fromCamera = fromCamera ? 1U : 0U,
+                                                       .depth = depth,
+                                                       // The camera ray itself is neither reflection nor refraction
+                                                       .maxDepth = scene_.render.maxDepth + 1,
+                                                       .pass = pass,
+                                                       .minWeight = static_cast<float>(scene_.render.minWeight),
+                                                       .lightCount = deviceScene_.lightCount,
+                                                       .rootNode = deviceScene_.rootNode,
+                                                       .keeps = keeps ? 1U : 0U,
+                                                       .keptRays = kept_.rays,
+                                                       .keptPaths = kept_.paths,
+                                                       .hits = kept_.hits,
+                                                       .emitted = kept_.emitted,
+                                                       .visiblePoints = kept_.visiblePoints},
+                         count);
+    counts_.cameraRays += count;
+    counts_.shadowRays += std::uint64_t{count} * deviceScene_.lightCount;
+    for (std::uint32_t lamp = 0; lamp < deviceScene_.lightCount; ++lamp) {
+        counts_.shadowRays += roughLight_.sample(level.roughPoints, light, count, lamp, pass);
     }
 }
 

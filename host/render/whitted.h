@@ -1,11 +1,13 @@
-// Recursive reflection and refraction [Whitted80], the recursion unrolled into one queue per level of the tree.
+// Recursive reflection and refraction [Whitted80], the recursion unrolled into the levels of the trees of all pixels.
 #pragma once
 
 #include "render/device_scene.h"
 #include "render/film.h"
 #include "render/integrator.h"
-#include "render/path_queue.h"
+#include "render/next_rays.h"
 #include "render/rough_light.h"
+
+#include <array>
 
 namespace hyalite::render {
 
@@ -20,37 +22,43 @@ public:
     void renderPass(std::uint32_t pass) override;
 
 private:
-    // Everything that has one element per ray of a level, or two where children wait for their place.
+    // Everything that has one element per ray of a level, or two for the rays that go on from it.
     struct Level {
-        CameraQueue queue;
-        gpu::Array<shared::VisiblePoint> visiblePoints;
+        gpu::Array<shared::uint> slots;   // of the level before, where this one's rays stand
+        gpu::Array<shared::Ray> nextRays; // two slots each
+        gpu::Array<shared::CameraPath> nextPaths;
+        gpu::Array<shared::uint> alive; // slots in use
+        gpu::Array<shared::uint> pixels;
+        gpu::Array<glm::vec3> light;
         gpu::Array<shared::RoughPoint> roughPoints;
-        gpu::Array<shared::Ray> shadowRays;
-        gpu::Array<glm::vec3> contributions;
-        gpu::Array<glm::vec3> emitted;
-        gpu::Array<glm::vec3> direct;
 
-        Level(const gpu::Context& context, std::uint32_t capacity, std::uint32_t roughPointCount);
+        [[nodiscard]] std::uint32_t capacity() const { return static_cast<std::uint32_t>(alive.count()); }
+    };
+    // What a level also leaves for who looks on.
+    struct Kept {
+        gpu::Array<shared::Ray> rays;
+        gpu::Array<shared::CameraPath> paths;
+        gpu::Array<shared::Hit> hits;
+        gpu::Array<glm::vec3> emitted;
+        gpu::Array<shared::VisiblePoint> visiblePoints;
     };
 
-    void shade(std::uint32_t pass, std::uint32_t depth);
-    void sampleEveryLight(std::uint32_t pass);
-    void descend();
+    // Makes room for `count` rays of the level at this depth, whose last contents are lost if there was not enough.
+    Level& levelFor(std::uint32_t depth, std::uint32_t count);
+    void keepFor(std::uint32_t count);
+    void trace(std::uint32_t pass, std::uint32_t depth, std::uint32_t count);
 
     Device& device_;
     const Scene& scene_;
     const DeviceScene& deviceScene_;
     const Film& film_;
 
-    gpu::Kernel generateCameraRays_;
-    gpu::Kernel traceClosest_;
-    gpu::Kernel shadeSurface_;
-    gpu::Kernel sampleLights_;
-    gpu::Kernel traceShadow_;
+    gpu::Kernel traceWhitted_;
     gpu::Kernel sumPaths_;
-    CameraCompaction compaction_;
+    NextRays nextRays_;
     RoughLight roughLight_;
-    Level level_;
+    std::array<Level, 2> levels_; // of even and of odd depth: each reads what the one before has left
+    Kept kept_;
     gpu::Array<glm::vec3> radiance_; // of the pass, by pixel
 };
 

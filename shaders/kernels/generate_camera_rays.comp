@@ -1,32 +1,17 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Starts one camera path per pixel, through a point of the pixel and a point of the lens that the pass chooses. The
-// filter over the pixel is a box; the lens is thin: it sends what leaves one point of the plane in focus to one point of
-// the image, by whichever way through the lens.
+// Starts one camera path per pixel.
 #include "shared/kernel_arguments.h"
-#include "lib/sampling.glsl"
+#include "lib/camera_path.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { GenerateCameraRaysArguments args; };
 
 void main() {
     uint pixel = threadIndex();
-    if (pixel >= args.count) {
-        return;
+    if (pixel < args.count) {
+        NextRay start = startAtCamera(args.camera, args.seed, args.pass, pixel);
+        args.rays.at[pixel] = start.ray;
+        args.paths.at[pixel] = start.path;
     }
-    CameraRecord camera = args.camera;
-    Sampler sampler_ = cameraSampler(args.seed, args.pass, pixel);
-    vec2 inPixel = sampleUnit(sampler_, kCameraPixel);
-    uint row = quotient(pixel, camera.width);
-    vec2 raster = vec2(pixel - row * camera.width, row) + inPixel;
-    vec2 image = vec2(2.0, -2.0) * raster / vec2(camera.width, camera.height) + vec2(-1.0, 1.0);
-    vec3 direction = camera.forward + image.x * camera.right + image.y * camera.up;
-    vec3 onLens = vec3(0.0);
-    if (camera.lensRadius > 0.0) {
-        vec2 place = camera.lensRadius * concentricDisc(sampleUnit(sampler_, kCameraLens));
-        onLens = place.x * normalize(camera.right) + place.y * normalize(camera.up);
-        direction -= onLens / camera.focusDistance;
-    }
-    args.rays.at[pixel] = Ray(camera.position + onLens, kInfinity, normalize(direction), 0u);
-    args.paths.at[pixel] = CameraPath(vec3(1.0), pixel, sampler_.seed, kNone, 0.0);
 }

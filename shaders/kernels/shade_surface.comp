@@ -1,64 +1,22 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Decides what becomes of each camera path at its hit: emission is added, a diffuse part ends the path as a visible
-// point, a lobe sends it on. At smooth glass the path takes one of reflection and refraction, at a surface with both a
-// diffuse part and a lobe one of these (split = 0, visible points and emission stand at the pixel), or both (split = 1,
-// they stand at the path's number).
+// Decides what becomes of each camera path at its hit: emission is added to its pixel's, a diffuse part ends the path as
+// the pixel's visible point, a lobe sends it on. At smooth glass it takes one of reflection and refraction, at a surface
+// with both a diffuse part and a lobe one of these.
 #include "shared/kernel_arguments.h"
-#include "lib/bsdf.glsl"
-#include "lib/light.glsl"
+#include "lib/camera_path.glsl"
 #include "lib/medium.glsl"
-#include "lib/sampling.glsl"
-#include "lib/surface.glsl"
 #include "lib/texture.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { ShadeSurfaceArguments args; };
 
-bool worthFollowing(vec3 beta) {
-    return args.depth < args.maxDepth && maxComponent(beta) >= args.minWeight && maxComponent(beta) > 0.0;
-}
-
-void follow(uint slot, Surface s, BsdfSample next, CameraPath path, uint samplerSeed) {
-    path.beta *= next.weight;
-    if (!worthFollowing(path.beta)) {
-        return;
-    }
-    path.samplerSeed = samplerSeed;
-    path.medium = next.through ? (s.front ? s.material : kNone) : path.medium;
-    path.pdfW = next.pdfW;
-    args.nextRays.at[slot] = leaveSurface(s, next.direction, next.through);
-    args.nextPaths.at[slot] = path;
-    args.alive.at[slot] = 1u;
-}
-
-// Emission counts in full where no light was sampled for the path's direction. The normal is the light's where the ray
-// meets it, `distance` away.
-float emissionWeight(LightRecord light, Ray ray, float distance, vec3 normal, CameraPath path) {
-    if (!(sceneHasRoughLobes() || kDiffuseBounces != 0u) || path.pdfW == 0.0) {
-        return 1.0;
-    }
-    float pmf = args.split != 0u ? 1.0 : light.pmf;
-    return powerHeuristic(path.pdfW, pmf * lightPdf(light, ray.origin, ray.direction, distance, normal));
-}
-
-VisiblePoint visibleAt(Surface s, DiffusePart diffuse, CameraPath path, float cosOut, float probability) {
-    vec3 f = path.beta * diffuse.share * (diffuseFactor(diffuse.coat, cosOut) * kInvPi / probability);
-    return VisiblePoint(s.position + s.error * s.geometricNormal, args.depth, s.normal, path.samplerSeed, f, path.pixel,
-                        leaving(s, false), packUnitVector(s.geometricNormal, 16u), diffuse.coat);
-}
-
-// Both ways at smooth glass, each with a sequence of random numbers of its own.
-void splitAtGlass(uint slot, Surface s, vec3 wo, Lobe lobe, CameraPath path) {
-    float cosOut = clamp(dot(wo, s.normal), 0.0, 1.0);
-    float reflectance = meetInterface(cosOut, lobe.eta).reflectance;
-    BsdfSample next = sampleSmooth(lobe, s.normal, wo, 0.0, true);
-    next.weight *= reflectance;
-    follow(slot, s, next, path, deriveSequence(path.samplerSeed, 1u));
-    if (reflectance < 1.0) {
-        next = sampleSmooth(lobe, s.normal, wo, 1.0, true);
-        next.weight *= 1.0 - reflectance;
-        follow(slot + 1u, s, next, path, deriveSequence(path.samplerSeed, 2u));
+void follow(uint i, Surface s, BsdfSample next, CameraPath path) {
+    path = pathAfter(s, next, path, path.samplerSeed);
+    if (args.depth < args.maxDepth && maxComponent(path.beta) > 0.0) {
+        args.nextRays.at[i] = leaveSurface(s, next.direction, next.through);
+        args.nextPaths.at[i] = path;
+        args.alive.at[i] = 1u;
     }
 }
 
@@ -93,7 +51,7 @@ float reflectionProbability(Interface glass, Surface s, Hit hit, vec3 wo, float 
 }
 
 // One way at smooth glass, weighted by what its probability is not.
-void takeOneWay(uint slot, Surface s, Hit hit, vec3 wo, Lobe lobe, CameraPath path) {
+void takeOneWay(uint i, Surface s, Hit hit, vec3 wo, Lobe lobe, CameraPath path) {
     float cosOut = clamp(dot(wo, s.normal), 0.0, 1.0);
     Interface glass = meetInterface(cosOut, lobe.eta);
     float probability = reflectionProbability(glass, s, hit, wo, cosOut);
@@ -102,89 +60,68 @@ void takeOneWay(uint slot, Surface s, Hit hit, vec3 wo, Lobe lobe, CameraPath pa
     if (probability != glass.reflectance) {
         next.weight *= reflects ? glass.reflectance / probability : (1.0 - glass.reflectance) / (1.0 - probability);
     }
-    follow(slot, s, next, path, path.samplerSeed);
+    follow(i, s, next, path);
 }
 
 // Sends the path on; at a rough lobe the lights are to be sampled too. Its throughput has the lobe's probability
 // divided out.
-void leaveByLobe(uint slot, Surface s, vec3 wo, Lobe lobe, CameraPath path, float choice) {
-    Sampler numbers = pathSampler(path.samplerSeed, args.pass);
+void leaveByLobe(uint i, Surface s, vec3 wo, Lobe lobe, CameraPath path, float choice) {
     vec2 u = vec2(0.0);
     if (sceneHasRoughLobes() && lobe.alpha > 0.0) {
-        u = sampleUnit(numbers, cameraBounce(args.depth - 1u));
+        u = sampleUnit(pathSampler(path.samplerSeed, args.pass), cameraBounce(args.depth - 1u));
         if (args.depth < args.maxDepth) {
-            uint id = slot / (1u + args.split);
-            args.roughPoints.at[id] =
-                RoughPoint(s.position, s.error, s.normal, args.depth, s.geometricNormal, path.samplerSeed, wo,
-                           leaving(s, false), path.beta, args.split != 0u ? id : path.pixel, lobe);
+            args.roughPoints.at[i] = roughAt(s, lobe, wo, path, args.depth, path.pixel);
         }
     }
-    follow(slot, s, sampleLobe(lobe, s.normal, s.geometricNormal, wo, u, choice, true), path, path.samplerSeed);
+    follow(i, s, sampleLobe(lobe, s.normal, s.geometricNormal, wo, u, choice, true), path);
 }
 
-// Where the material has a diffuse part and a lobe, the path takes one of them, or with `split` both.
-void scatter(uint slot, Surface s, Hit hit, MaterialRecord material, vec3 wo, CameraPath path,
-             inout VisiblePoint visible) {
+// Where the material has a diffuse part and a lobe, the path takes one of them.
+void scatter(uint i, Surface s, Hit hit, MaterialRecord material, vec3 wo, CameraPath path, inout VisiblePoint visible) {
     Lobe lobe = lobeOf(material, s.front);
     if (isMaterial(material.type, kMaterialDielectric) && lobe.alpha == 0.0) {
-        if (args.split != 0u) {
-            splitAtGlass(slot, s, wo, lobe, path);
-        } else {
-            takeOneWay(slot, s, hit, wo, lobe, path);
-        }
+        takeOneWay(i, s, hit, wo, lobe, path);
         return;
     }
     DiffusePart diffuse = diffusePart(material);
     float cosOut = clamp(dot(wo, s.normal), 0.0, 1.0);
     float choice = chosen(path);
     float probability = lobeProbability(material, lobe, diffuse, cosOut);
-    bool both = args.split != 0u && probability > 0.0 && probability < 1.0;
-    if (both || choice >= probability) {
-        visible = visibleAt(s, diffuse, path, cosOut, both ? 1.0 : 1.0 - probability);
-    }
-    if (both || choice < probability) {
-        path.beta /= both ? 1.0 : probability;
-        leaveByLobe(slot, s, wo, lobe, path, choice);
+    if (choice >= probability) {
+        visible = visibleAt(s, diffuse, path, args.depth, cosOut, 1.0 - probability);
+    } else {
+        path.beta /= probability;
+        leaveByLobe(i, s, wo, lobe, path, choice);
     }
 }
 
 void main() {
-    uint id = threadPixel(args.width, args.count);
-    if (id >= args.count) {
+    uint i = threadPixel(args.width, args.count);
+    if (i >= args.count) {
         return;
     }
-    uint slot = (1u + args.split) * id;
-    args.alive.at[slot] = 0u;
-    args.alive.at[slot + args.split] = 0u;
-    Hit hit = args.hits.at[id];
-    CameraPath path = args.paths.at[id];
-    uint result = args.split != 0u ? id : path.pixel;
+    args.alive.at[i] = 0u;
+    Hit hit = args.hits.at[i];
+    CameraPath path = args.paths.at[i];
     if (sceneHasRoughLobes()) {
-        args.roughPoints.at[id].depth = 0u;
+        args.roughPoints.at[i].depth = 0u;
     }
-    VisiblePoint visible = VisiblePoint(vec3(0.0), 0u, vec3(0.0), path.samplerSeed, vec3(0.0), path.pixel, 0u, 0u, 0.0);
+    VisiblePoint visible = noVisiblePoint(path);
     vec3 emitted = vec3(0.0);
 
-    Ray ray = args.rays.at[id];
+    Ray ray = args.rays.at[i];
     if (hit.object == kNone) {
-        LightRecord light = args.lights.at[0];
-        if (isLight(light.type, kLightEnvironment)) {
-            emitted = path.beta * environmentRadiance(light, ray.direction) *
-                      emissionWeight(light, ray, kInfinity, vec3(0.0), path);
-        }
+        emitted = emissionBeyond(args.lights, false, ray, path);
     } else {
         Surface s = surfaceAt(ray, hit, args.normals, args.instances);
         path.beta *= transmittance(args.materials, path.medium, hit.t);
-        if (s.light != kNone && s.front) {
-            LightRecord light = args.lights.at[s.light];
-            emitted = path.beta * light.emission * emissionWeight(light, ray, hit.t, s.geometricNormal, path);
-        }
+        emitted = emissionOf(s, args.lights, false, ray, hit.t, path);
         if (s.material != kNone) {
             MaterialRecord material = texturedMaterial(args.materials.at[s.material], s);
-            scatter(slot, s, hit, material, -ray.direction, path, visible);
+            scatter(i, s, hit, material, -ray.direction, path, visible);
         }
     }
-    args.visiblePoints.at[result] = visible;
+    args.visiblePoints.at[path.pixel] = visible;
     // The first hit writes the pixel's emission, later ones add to it: at most one path per pixel is in flight.
-    args.emitted.at[result] = args.split != 0u || args.depth == 1u ? emitted : args.emitted.at[result] + emitted;
+    args.emitted.at[path.pixel] = args.depth == 1u ? emitted : args.emitted.at[path.pixel] + emitted;
 }

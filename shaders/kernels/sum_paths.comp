@@ -11,13 +11,13 @@ void main() {
     if (i >= args.count) {
         return;
     }
-    uint pixel = args.paths.at[i].pixel;
-    if (i > 0u && args.paths.at[i - 1u].pixel == pixel) {
+    uint pixel = args.pixels.at[i];
+    if (i > 0u && args.pixels.at[i - 1u] == pixel) {
         return;
     }
     vec3 sum = args.radiance.at[pixel];
-    for (; i < args.count && args.paths.at[i].pixel == pixel; ++i) {
-        sum += args.emitted.at[i] + args.direct.at[i];
+    for (; i < args.count && args.pixels.at[i] == pixel; ++i) {
+        sum += args.light.at[i];
     }
     args.radiance.at[pixel] = sum;
 }

@@ -27,7 +27,6 @@ struct TraceClosestArguments {
     uint width;    // where these are the pixels of a picture, its width [pixels]: see pixelOfThread; else 0
 };
 
-// Follows one of reflection and refraction (split = 0) or both (split = 1); see the kernel for what stands where.
 struct ShadeSurfaceArguments {
     RayArray rays;
     HitArray hits;
@@ -36,19 +35,50 @@ struct ShadeSurfaceArguments {
     LightArray lights;
     NormalArray normals;
     InstanceArray instances;
-    VisiblePointArray visiblePoints; // out
-    ColorArray emitted;              // out
-    RayArray nextRays;               // out, 1 + split slots per path
+    VisiblePointArray visiblePoints; // out, by pixel
+    ColorArray emitted;              // out, by pixel: added to what is there, but at the first hit
+    RayArray nextRays;               // out, one per path
     CameraPathArray nextPaths;       // out, likewise
     UintArray alive;                 // out, likewise: 1 where a next ray stands, else 0
     uint count;
     uint depth;    // segments from the camera to these hits
     uint maxDepth; // no next ray from here on
     uint pass;
-    uint split;
-    float minWeight;             // a next ray whose throughput is below this in every channel is not followed
     RoughPointArray roughPoints; // out, one per path; untouched in scenes without rough lobes
     uint width; // where these are the pixels of a picture, its width [pixels]: see pixelOfThread; else 0
+};
+
+// Where `result` is named: the pixel of rays that start at the camera, else the ray's own number.
+struct TraceWhittedArguments {
+    UintArray slots;       // unless the rays start at the camera: where they and their paths stand
+    RayArray rays;         // of the level before
+    CameraPathArray paths; // likewise
+    MaterialArray materials;
+    LightArray lights;
+    NormalArray normals;
+    InstanceArray instances;
+    ColorArray light;            // out, at the result: radiance [W/(m^2 sr)] emitted and reflected
+    UintArray pixels;            // out, unless the rays start at the camera
+    RoughPointArray roughPoints; // out, one per ray; untouched in scenes without rough lobes
+    RayArray nextRays;           // out, two slots per ray, the first of which is used first
+    CameraPathArray nextPaths;   // out, likewise
+    UintArray alive;             // out: how many of the ray's slots are used
+    RenderSeed seed;
+    CameraRecord camera;
+    uint count;
+    uint fromCamera; // 1: the first level, one ray per pixel
+    uint depth;      // segments from the camera to these hits
+    uint maxDepth;   // no next ray from here on
+    uint pass;
+    float minWeight; // a next ray whose throughput is below this in every channel is not followed
+    uint lightCount;
+    uint rootNode;
+    uint keeps;                      // 1: also what follows is written
+    RayArray keptRays;               // out: where they came from
+    CameraPathArray keptPaths;       // out: as they came to their hits
+    HitArray hits;                   // out
+    ColorArray emitted;              // out: of the light, what is emitted
+    VisiblePointArray visiblePoints; // out
 };
 
 struct SampleRoughLightsArguments {
@@ -201,6 +231,14 @@ struct ScanChunksArguments {
     uint count;             // values
 };
 
+struct ListNextRaysArguments {
+    UintArray alive;        // by path: how many of its slots hold next rays, from the first on
+    UintArray chunkOffsets; // exclusive sums of these over chunks of kScanChunk
+    UintArray slots;        // out
+    uint count;             // paths
+    uint slotsOfPath;
+};
+
 struct CountCellsArguments {
     PhotonArray photons;
     UintArray cellCounts; // in and out, zero before
@@ -348,9 +386,8 @@ struct SplatPhotonsArguments {
 
 // Adds what several paths of one pixel carry, in their order: the first path of each run of equal pixels adds them all.
 struct SumPathsArguments {
-    CameraPathArray paths;
-    ColorArray emitted;
-    ColorArray direct;
+    UintArray pixels;    // of each path
+    ColorArray light;    // of each path
     ColorArray radiance; // in and out, per pixel
     uint count;
 };

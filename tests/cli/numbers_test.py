@@ -22,7 +22,7 @@ class Numbers(CliTest):
         shutil.copytree(Setup.source / "shaders", self.folder / "shaders")
         shader = self.folder / "shaders/kernels/shade_surface.comp"
         good = shader.read_text()
-        mark = "args.emitted.at[result] ="
+        mark = "args.emitted.at[path.pixel] ="
         self.assertEqual(good.count(mark), 1)
         planted = "".join(f"if (path.pixel == {pixel}u && args.pass == 1u) {{ emitted.y = {value}; }}\n    "
                           for value, pixel in FAULTS.values())

@@ -2,10 +2,13 @@
 #pragma once
 
 #include "kernel/kernel_support.h"
+#include "reference/shading.h"
+
+#include <numeric>
 
 namespace hyalite::testing {
 
-// Runs trace_closest and shade_surface on given rays, as one bounce of a render does.
+// What a bounce leaves. Visible points and emission stand at the path's number, which must be its pixel.
 struct Bounce {
     gpu::Array<shared::Ray> rays;
     gpu::Array<shared::Hit> hits;
@@ -16,33 +19,91 @@ struct Bounce {
     gpu::Array<shared::CameraPath> nextPaths;
     gpu::Array<shared::uint> alive;
     gpu::Array<shared::RoughPoint> rough;
+    std::size_t slotsOfPath = 1;
+    gpu::Array<vec3> light = {}; // of a tree's level: with what comes from the lamps
+
+    [[nodiscard]] std::size_t slot(std::size_t path, std::size_t child) const { return slotsOfPath * path + child; }
+    [[nodiscard]] bool goesOn(std::size_t path, std::size_t child = 0) const { return child < alive.host()[path]; }
 };
 
+// Which ways a path takes: one, as trace_closest and shade_surface do it, or all, as trace_whitted does.
+enum class Ways { One, All };
+
 inline Bounce shade(BothSides& both, const std::vector<shared::Ray>& rays, const std::vector<shared::CameraPath>& paths,
-                    std::uint32_t depth, std::uint32_t pass, std::uint32_t split) {
+                    std::uint32_t depth, std::uint32_t pass, Ways ways) {
     const auto count = static_cast<std::uint32_t>(rays.size());
-    const std::size_t slots = (1 + split) * std::size_t{count};
+    const std::size_t slotsOfPath = ways == Ways::All ? 2 : 1;
     Bounce b{both.upload(rays),
              both.room<shared::Hit>(count),
              both.upload(paths),
              both.upload(std::vector<shared::VisiblePoint>(count)),
              both.upload(std::vector<vec3>(count, vec3(0))),
-             both.room<shared::Ray>(slots),
-             both.room<shared::CameraPath>(slots),
-             both.room<shared::uint>(slots),
-             both.room<shared::RoughPoint>(count)};
-    both.run("trace_closest", shared::TraceClosestArguments{b.rays, b.hits, count, both.deviceScene.rootNode, 13},
-             count);
-    const std::uint32_t maxDepth = both.scene.render.maxDepth + split;
-    const auto minWeight = split != 0 ? static_cast<float>(both.scene.render.minWeight) : 0.0F;
+             both.room<shared::Ray>(slotsOfPath * count),
+             both.room<shared::CameraPath>(slotsOfPath * count),
+             both.room<shared::uint>(count),
+             both.room<shared::RoughPoint>(count),
+             slotsOfPath};
     const auto& d = both.deviceScene;
-    both.run("shade_surface",
-             shared::ShadeSurfaceArguments{b.rays,      b.hits,      b.paths,   d.materials, d.lights,
-                                           d.normals,   d.instances, b.visible, b.emitted,   b.nextRays,
-                                           b.nextPaths, b.alive,     count,     depth,       maxDepth,
-                                           pass,        split,       minWeight, b.rough,     13},
+    const std::uint32_t maxDepth = both.scene.render.maxDepth;
+    if (ways == Ways::One) {
+        both.run("trace_closest", shared::TraceClosestArguments{b.rays, b.hits, count, d.rootNode, 13}, count);
+        both.run("shade_surface",
+                 shared::ShadeSurfaceArguments{b.rays, b.hits, b.paths, d.materials, d.lights, d.normals, d.instances,
+                                               b.visible, b.emitted, b.nextRays, b.nextPaths, b.alive, count, depth,
+                                               maxDepth, pass, b.rough, 13},
+                 count);
+        return b;
+    }
+    std::vector<shared::uint> slots(count); // backwards
+    std::iota(slots.rbegin(), slots.rend(), 0U);
+    const auto deviceSlots = both.upload(slots);
+    const auto pixels = both.room<shared::uint>(count);
+    const auto before = both.upload(std::vector<shared::Ray>(rays.rbegin(), rays.rend()));
+    const auto pathsBefore = both.upload(std::vector<shared::CameraPath>(paths.rbegin(), paths.rend()));
+    b.light = both.room<vec3>(count);
+    both.run("trace_whitted",
+             shared::TraceWhittedArguments{.slots = deviceSlots,
+                                           .rays = before,
+                                           .paths = pathsBefore,
+                                           .materials = d.materials,
+                                           .lights = d.lights,
+                                           .normals = d.normals,
+                                           .instances = d.instances,
+                                           .light = b.light,
+                                           .pixels = pixels,
+                                           .roughPoints = b.rough,
+                                           .nextRays = b.nextRays,
+                                           .nextPaths = b.nextPaths,
+                                           .alive = b.alive,
+                                           .seed = {},
+                                           .camera = {},
+                                           .count = count,
+                                           .fromCamera = 0,
+                                           .depth = depth,
+                                           .maxDepth = maxDepth + 1,
+                                           .pass = pass,
+                                           .minWeight = static_cast<float>(both.scene.render.minWeight),
+                                           .lightCount = d.lightCount,
+                                           .rootNode = d.rootNode,
+                                           .keeps = 1,
+                                           .keptRays = b.rays,
+                                           .keptPaths = b.paths,
+                                           .hits = b.hits,
+                                           .emitted = b.emitted,
+                                           .visiblePoints = b.visible},
              count);
     return b;
+}
+
+// The ways that the reference goes on, in the order of their slots.
+inline std::vector<reference::NextRay> waysOf(const reference::Shading& shading) {
+    std::vector<reference::NextRay> ways;
+    for (const std::optional<reference::NextRay>& next : shading.next) {
+        if (next) {
+            ways.push_back(*next);
+        }
+    }
+    return ways;
 }
 
 } // namespace hyalite::testing

@@ -53,9 +53,24 @@ std::size_t countEscapes(Scene scene, std::uint32_t count) {
     for (int i = 0; i < kReflections; ++i) {
         both.run("trace_closest", shared::TraceClosestArguments{rays, hits, count, d.rootNode, 0}, count);
         both.run("shade_surface",
-                 shared::ShadeSurfaceArguments{rays,   hits,    paths,    d.materials, d.lights, d.normals, d.instances,
-                                               points, emitted, nextRays, nextPaths,   alive,    count,     1,
-                                               255,    0,       0,        0,           {},       0},
+                 shared::ShadeSurfaceArguments{rays,
+                                               hits,
+                                               paths,
+                                               d.materials,
+                                               d.lights,
+                                               d.normals,
+                                               d.instances,
+                                               points,
+                                               emitted,
+                                               nextRays,
+                                               nextPaths,
+                                               alive,
+                                               count,
+                                               1,
+                                               255,
+                                               0,
+                                               {},
+                                               0},
                  count);
         for (std::uint32_t ray = 0; ray < count; ++ray) {
             if (hits.host()[ray].object == shared::kNone) {

@@ -59,7 +59,7 @@ TEST_CASE("camera paths lose in glass what the reference says, enter it at its f
     for (std::uint32_t i = 0; i < count; ++i) {
         paths.push_back({vec3(0.5, 0.25, 1), i, i, mediumOf(i), 0});
     }
-    const Bounce bounce = shade(both, b.rays, paths, 1, 0, 1);
+    const Bounce bounce = shade(both, b.rays, paths, 1, 0, Ways::All);
     std::size_t inGlass = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
         const reference::Ray ray = toReference(b.rays[i]);
@@ -74,16 +74,15 @@ TEST_CASE("camera paths lose in glass what the reference says, enter it at its f
             // t is right to a few 1e-7, a coefficient of 40/m makes 1e-5 of it, of f below 0.1
             CHECK(distance(bounce.visible.host()[i].f, expected.visible->f) < 2e-6);
         }
-        for (std::size_t way = 0; way < 2; ++way) {
-            const auto& next = expected.next[way];
-            if (next && bounce.alive.host()[2 * std::size_t{i} + way] != 0) {
-                const shared::CameraPath& actual = bounce.nextPaths.host()[2 * std::size_t{i} + way];
-                CHECK(materialOf(both, actual.medium) == next->path.medium);
-                const dvec3 normal = reference::evaluateSurface(both.world, ray, *hit).normal;
-                const double condition = conditioning(ray.direction, next->ray.direction, normal);
-                CHECK(distance(actual.beta, next->path.beta) * condition < 2e-5);
-                inGlass += actual.medium == kGlass ? 1 : 0;
-            }
+        const std::vector<reference::NextRay> ways = waysOf(expected);
+        REQUIRE(bounce.alive.host()[i] == ways.size());
+        for (std::size_t way = 0; way < ways.size(); ++way) {
+            const shared::CameraPath& actual = bounce.nextPaths.host()[bounce.slot(i, way)];
+            CHECK(materialOf(both, actual.medium) == ways[way].path.medium);
+            const dvec3 normal = reference::evaluateSurface(both.world, ray, *hit).normal;
+            const double condition = conditioning(ray.direction, ways[way].ray.direction, normal);
+            CHECK(distance(actual.beta, ways[way].path.beta) * condition < 2e-5);
+            inGlass += actual.medium == kGlass ? 1 : 0;
         }
     }
     CHECK(inGlass >
@@ -105,7 +104,7 @@ TEST_CASE("the kernels' exponential is right to a few roundings wherever it is a
         rays.push_back({vec3(0, 0, static_cast<float>(i + 1) / 8), 3e38F, vec3(0, 0, -1), 0});
     }
     const std::vector<shared::CameraPath> paths(count, {vec3(1), 0, 0, static_cast<shared::uint>(kGlass), 0});
-    const Bounce bounce = shade(both, rays, paths, 1, 0, 1);
+    const Bounce bounce = shade(both, rays, paths, 1, 0, Ways::All);
     for (std::uint32_t i = 0; i < count; ++i) {
         const double t = (i + 1) / 8.0;
         const double expected = t < 87 ? std::exp(-t) : 0;

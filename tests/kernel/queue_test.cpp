@@ -2,6 +2,7 @@
 #include "kernel/kernel_support.h"
 #include "reference/film.h"
 #include "render/film.h"
+#include "render/next_rays.h"
 #include "render/prefix_sum.h"
 
 #include <numeric>
@@ -73,23 +74,41 @@ TEST_CASE("compaction keeps the paths that go on, in their order") {
     }
 }
 
+TEST_CASE("the slots of next rays are listed without gaps, in order") {
+    BothSides both(reference::test::cornellBox());
+    render::NextRays nextRays(both.device);
+    const gpu::Array<shared::uint> slots = both.room<shared::uint>(40000);
+    // Chunks begun and full, few chunks and many; large before small, so that old contents would show
+    for (const std::uint32_t count : {20000U, 1U, 127U, 128U, 129U, 5000U}) {
+        std::vector<shared::uint> alive(count);
+        std::vector<shared::uint> expected;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            alive[i] = shared::hash(i) % 3;
+            for (std::uint32_t child = 0; child < alive[i]; ++child) {
+                expected.push_back(2 * i + child);
+            }
+        }
+        const auto deviceAlive = both.upload(alive);
+        REQUIRE(nextRays.count(both.device, deviceAlive, count) == expected.size());
+        nextRays.list(both.device, deviceAlive, count, 2, slots);
+        both.device.commands.finish();
+        const auto listed = slots.read();
+        CHECK(std::equal(expected.begin(), expected.end(), listed.begin()));
+    }
+}
+
 TEST_CASE("the paths of a pixel are summed whole, and other pixels are left alone") {
     BothSides both(reference::test::cornellBox());
     // Pixel 3 has three paths, pixel 5 one, pixel 6 two; powers of two add without rounding
-    const std::vector<std::uint32_t> pixels{3, 3, 3, 5, 6, 6};
-    std::vector<shared::CameraPath> paths(pixels.size());
-    std::vector<vec3> emitted;
-    std::vector<vec3> direct;
+    const std::vector<shared::uint> pixels{3, 3, 3, 5, 6, 6};
+    std::vector<vec3> light;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-        paths[i].pixel = pixels[i];
-        emitted.emplace_back(static_cast<float>(1U << i));
-        direct.emplace_back(0, static_cast<float>(64U << i), 0);
+        light.emplace_back(vec3(1, 65, 1) * static_cast<float>(1U << i));
     }
-    const auto devicePaths = both.upload(paths);
-    const auto deviceEmitted = both.upload(emitted);
-    const auto deviceDirect = both.upload(direct);
+    const auto devicePixels = both.upload(pixels);
+    const auto deviceLight = both.upload(light);
     const auto radiance = both.upload(std::vector<vec3>(8, vec3(0.5)));
-    both.run("sum_paths", shared::SumPathsArguments{devicePaths, deviceEmitted, deviceDirect, radiance, 6}, 6);
+    both.run("sum_paths", shared::SumPathsArguments{devicePixels, deviceLight, radiance, 6}, 6);
     const auto sum = radiance.read();
     CHECK(sum[3] == vec3(0.5 + 7, 0.5 + 7 + 64 * 7, 0.5 + 7));
     CHECK(sum[5] == vec3(0.5 + 8, 0.5 + 8 + 64 * 8, 0.5 + 8));

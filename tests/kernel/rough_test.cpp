@@ -1,6 +1,5 @@
-// Rough and metallic surfaces: shade_surface and sample_rough_lights against their twins.
+// Rough and metallic surfaces: shade_surface, trace_whitted and sample_rough_lights against their twins.
 #include "kernel/bounce.h"
-#include "reference/shading.h"
 
 #include <catch2/generators/catch_generators.hpp>
 
@@ -20,14 +19,14 @@ struct RoughBounce {
     std::optional<Bounce> device;
     std::vector<std::optional<reference::Shading>> expected; // none: another object was hit
 
-    explicit RoughBounce(std::uint32_t split) : both(sceneFor(split)) {
+    explicit RoughBounce(Ways ways) : both(sceneFor(ways)) {
         reference::test::Random random;
         for (std::uint32_t i = 0; i < 20000; ++i) {
             const dvec3 origin = random.inCube(0.99);
             rays.push_back(toDevice({.origin = origin, .direction = random.direction()}));
             paths.push_back({vec3(0.5, 0.25, 1), i, shared::hash(i), shared::kNone, static_cast<float>(i % 3)});
         }
-        device.emplace(shade(both, rays, paths, 1, 3, split));
+        device.emplace(shade(both, rays, paths, 1, 3, ways));
         expected.resize(rays.size());
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const reference::Ray ray = toReference(rays[i]);
@@ -39,9 +38,9 @@ struct RoughBounce {
         }
     }
 
-    static Scene sceneFor(std::uint32_t split) {
+    static Scene sceneFor(Ways ways) {
         Scene scene = roughBox();
-        scene.render.integrator = split != 0 ? Integrator::Whitted : Integrator::Ppm;
+        scene.render.integrator = ways == Ways::All ? Integrator::Whitted : Integrator::Ppm;
         scene.render.minWeight = 0;
         return scene;
     }
@@ -54,8 +53,8 @@ double relative(double actual, double expected) {
 } // namespace
 
 TEST_CASE("a bounce off rough and metallic surfaces is that of the reference") {
-    const std::uint32_t split = GENERATE(0U, 1U);
-    const RoughBounce b(split);
+    const Ways ways = GENERATE(Ways::One, Ways::All);
+    const RoughBounce b(ways);
     std::size_t rough = 0;
     std::size_t coated = 0;
     std::size_t choices = 0; // a coin on the edge, or a direction along the surface
@@ -84,9 +83,9 @@ TEST_CASE("a bounce off rough and metallic surfaces is that of the reference") {
             CHECK(std::abs(x.lobe.eta - expected.rough->lobe.eta) < 1e-6);
         }
         const auto& next = expected.next[0];
-        const std::size_t slot = i * (1 + split);
+        const std::size_t slot = b.device->slot(i, 0);
         const shared::Ray& ray = b.device->nextRays.host()[slot];
-        if ((b.device->alive.host()[slot] != 0) != next.has_value() ||
+        if (b.device->goesOn(i) != next.has_value() ||
             (next && glm::dot(dvec3(ray.direction), next->ray.direction) < 0.99)) {
             ++choices;
             continue;
@@ -102,13 +101,13 @@ TEST_CASE("a bounce off rough and metallic surfaces is that of the reference") {
         }
     }
     CHECK(rough > 5000);
-    CHECK(coated > (split != 0 ? 8000 : 4000));
+    CHECK(coated > (ways == Ways::All ? 8000 : 4000));
     CHECK(choices <= 5);
 }
 
 TEST_CASE("rough points get the light of the reference's samples") {
-    const std::uint32_t split = GENERATE(0U, 1U);
-    RoughBounce b(split);
+    const Ways ways = GENERATE(Ways::One, Ways::All);
+    RoughBounce b(ways);
     const auto count = static_cast<std::uint32_t>(b.rays.size());
     for (const std::uint32_t light : {shared::kNone, 0U, 1U, 2U}) { // a point, a quad, a sphere
         const auto direct = b.both.upload(std::vector<vec3>(count, vec3(0)));

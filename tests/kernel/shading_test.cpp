@@ -1,6 +1,5 @@
-// shade_surface against its twin, with one child and with both.
+// shade_surface and trace_whitted against their twins.
 #include "kernel/bounce.h"
-#include "reference/shading.h"
 
 namespace hyalite::testing {
 
@@ -10,23 +9,32 @@ namespace {
 // and reflectances, once their conditioning is taken out.
 constexpr double kScatterError = 2e-5;
 
-void compareChild(const std::optional<reference::NextRay>& expected, const dvec3& arriving, const dvec3& normal,
-                  const Bounce& b, std::size_t slot) {
-    REQUIRE((b.alive.host()[slot] != 0) == expected.has_value());
-    if (expected) {
-        const shared::Ray& ray = b.nextRays.host()[slot];
-        const shared::CameraPath& path = b.nextPaths.host()[slot];
-        const double condition = conditioning(arriving, expected->ray.direction, normal);
-        CHECK(distance(ray.direction, expected->ray.direction) * condition < kScatterError);
-        CHECK(distance(ray.origin, expected->ray.origin) < 2e-5);
-        CHECK(distance(path.beta, expected->path.beta) * condition < kScatterError);
-        CHECK(path.samplerSeed == expected->path.samplerSeed);
+void compareChild(const reference::NextRay& expected, const dvec3& arriving, const dvec3& normal, const Bounce& b,
+                  std::size_t slot) {
+    const shared::Ray& ray = b.nextRays.host()[slot];
+    const shared::CameraPath& path = b.nextPaths.host()[slot];
+    const double condition = conditioning(arriving, expected.ray.direction, normal);
+    CHECK(distance(ray.direction, expected.ray.direction) * condition < kScatterError);
+    CHECK(distance(ray.origin, expected.ray.origin) < 2e-5);
+    CHECK(distance(path.beta, expected.path.beta) * condition < kScatterError);
+    CHECK(path.samplerSeed == expected.path.samplerSeed);
+}
+
+// What the reference adds to the emission at a visible point, from every lamp.
+dvec3 lightOn(const BothSides& both, const std::optional<reference::VisiblePoint>& x, std::uint32_t pass) {
+    dvec3 sum(0);
+    for (std::uint32_t lamp = 0; x && lamp < both.world.lights.size(); ++lamp) {
+        const auto sample = reference::sampleLight(both.world, *x, pass, lamp);
+        if (sample && reference::traceShadow(both.world, sample->from, sample->to)) {
+            sum += sample->contribution;
+        }
     }
+    return sum;
 }
 
 // Rays from all over the room; those that would not hit the same object are left out, they are trace_test's matter.
-void compareShading(Scene scene, std::uint32_t split, std::uint32_t depth) {
-    scene.render.integrator = split != 0 ? Integrator::Whitted : Integrator::Ppm;
+void compareShading(Scene scene, Ways ways, std::uint32_t depth) {
+    scene.render.integrator = ways == Ways::All ? Integrator::Whitted : Integrator::Ppm;
     BothSides both(scene);
     reference::test::Random random;
     const std::size_t count = 20000;
@@ -38,15 +46,17 @@ void compareShading(Scene scene, std::uint32_t split, std::uint32_t depth) {
         paths.push_back({vec3(0.5, 0.25, 1), i, shared::hash(i), shared::kNone, 0});
     }
     const std::uint32_t pass = 3;
-    const Bounce b = shade(both, rays, paths, depth, pass, split);
+    const Bounce b = shade(both, rays, paths, depth, pass, ways);
 
     std::size_t compared = 0;
     std::size_t choices = 0; // a coin that falls on the other side of a reflectance that is right to rounding
+    std::size_t lit = 0;
+    std::size_t edges = 0; // shadow rays past an edge
     for (std::size_t i = 0; i < count; ++i) {
         const reference::Ray ray = toReference(rays[i]);
         const auto hit = reference::traceClosest(both.world, ray);
         if (!hit || hit->object != both.sceneObject(b.hits.host()[i].object)) {
-            CHECK((hit || b.alive.host()[i * (1 + split)] == 0));
+            CHECK((hit || !b.goesOn(i)));
             continue;
         }
         ++compared;
@@ -64,41 +74,47 @@ void compareShading(Scene scene, std::uint32_t split, std::uint32_t depth) {
             CHECK(distance(v.normal, expected.visible->normal) < 2e-4);
             CHECK(distance(v.f, expected.visible->f) < 1e-6);
         }
-        if (split != 0) {
-            compareChild(expected.next[0], ray.direction, normal, b, 2 * i);
-            compareChild(expected.next[1], ray.direction, normal, b, 2 * i + 1);
-            continue;
+        const std::vector<reference::NextRay> next = waysOf(expected);
+        REQUIRE(b.alive.host()[i] == next.size());
+        for (std::size_t child = 0; child < next.size(); ++child) {
+            const std::size_t slot = b.slot(i, child);
+            if (ways == Ways::One &&
+                glm::dot(dvec3(b.nextRays.host()[slot].direction), next[child].ray.direction) < 0.99) {
+                ++choices;
+                continue;
+            }
+            compareChild(next[child], ray.direction, normal, b, slot);
         }
-        const auto& next = expected.next[0] ? expected.next[0] : expected.next[1];
-        if (next && b.alive.host()[i] != 0 &&
-            glm::dot(dvec3(b.nextRays.host()[i].direction), next->ray.direction) < 0.99) {
-            ++choices;
-            continue;
+        if (ways == Ways::All) {
+            const dvec3 direct = lightOn(both, expected.visible, pass);
+            edges += distance(b.light.host()[i], expected.emitted + direct) > 2e-5 * (1 + glm::length(direct)) ? 1 : 0;
+            lit += direct != dvec3(0) ? 1 : 0;
         }
-        compareChild(next, ray.direction, normal, b, i);
     }
     CHECK(compared > count * 3 / 4); // the rest leave by the open side
     CHECK(choices <= 2);
+    CHECK((lit > count / 10 || ways == Ways::One));
+    CHECK(edges <= 10);
 }
 
 } // namespace
 
 TEST_CASE("one bounce of a camera path that chooses is that of the reference") {
-    compareShading(reference::test::cornellBox(), 0, 1);
+    compareShading(reference::test::cornellBox(), Ways::One, 1);
 }
 
 TEST_CASE("one bounce that follows both reflection and refraction is that of the reference") {
-    compareShading(reference::test::cornellBox(), 1, 1);
+    compareShading(reference::test::cornellBox(), Ways::All, 1);
 }
 
 TEST_CASE("meshes, smooth and mirrored ones too, shade as in the reference") {
-    compareShading(crowdedBox(), 1, 1);
+    compareShading(crowdedBox(), Ways::All, 1);
 }
 
 TEST_CASE("no path goes on from the last bounce") {
     Scene scene = reference::test::cornellBox();
     scene.render.maxDepth = 4;
-    compareShading(scene, 0, 4);
+    compareShading(scene, Ways::One, 4);
 }
 
 TEST_CASE("a ray in glass beyond the critical angle is totally reflected") {
@@ -113,9 +129,8 @@ TEST_CASE("a ray in glass beyond the critical angle is totally reflected") {
     // d - 2 (n.d) n = (1, 0) - 2 * 0.5 * (0.5, sin 60) = (0.5, -sin 60)
     const double s = std::sqrt(3.0) / 2;
     const std::vector<shared::Ray> rays{{vec3(0, s, 0), 3e38F, vec3(1, 0, 0), 0}};
-    const Bounce b = shade(both, rays, {{vec3(1), 0, 1, shared::kNone, 0}}, 1, 0, 1);
-    REQUIRE(b.alive.host()[0] == 1);
-    CHECK(b.alive.host()[1] == 0); // nothing is refracted
+    const Bounce b = shade(both, rays, {{vec3(1), 0, 1, shared::kNone, 0}}, 1, 0, Ways::All);
+    REQUIRE(b.alive.host()[0] == 1); // nothing is refracted
     CHECK(distance(b.nextRays.host()[0].direction, dvec3(0.5, -s, 0)) < 1e-6);
     CHECK(b.nextPaths.host()[0].beta == vec3(1));
 }
@@ -142,7 +157,7 @@ TEST_CASE("a ray that leaves a quad or a sphere does not hit it again at once") 
         rays.push_back(toDevice({.origin = random.inCube(0.95), .direction = random.direction()}));
     }
     const Bounce b =
-        shade(both, rays, std::vector<shared::CameraPath>(count, {vec3(1), 0, 1, shared::kNone, 0}), 1, 0, 1);
+        shade(both, rays, std::vector<shared::CameraPath>(count, {vec3(1), 0, 1, shared::kNone, 0}), 1, 0, Ways::All);
     std::vector<shared::Ray> leaving;
     std::vector<std::uint32_t> from;
     for (std::uint32_t i = 0; i < count; ++i) {

@@ -43,10 +43,25 @@ Found find(BothSides& both, const std::vector<shared::Ray>& rays) {
     const auto nextRays = both.room<shared::Ray>(count);
     const auto nextPaths = both.room<shared::CameraPath>(count);
     const auto alive = both.room<shared::uint>(count);
-    both.run("shade_surface", shared::ShadeSurfaceArguments{deviceRays, hits,        devicePaths, d.materials, d.lights,
-                                                            d.normals,  d.instances, points,      emitted,     nextRays,
-                                                            nextPaths,  alive,       count,       1,           12,
-                                                            0,          0,           0,           {},          0},
+    both.run("shade_surface",
+             shared::ShadeSurfaceArguments{deviceRays,
+                                           hits,
+                                           devicePaths,
+                                           d.materials,
+                                           d.lights,
+                                           d.normals,
+                                           d.instances,
+                                           points,
+                                           emitted,
+                                           nextRays,
+                                           nextPaths,
+                                           alive,
+                                           count,
+                                           1,
+                                           12,
+                                           0,
+                                           {},
+                                           0},
              count);
     return {hits.read(), points.read()};
 }

@@ -71,7 +71,7 @@ TEST_CASE("textured surfaces have the colours of the reference on every shape") 
         rays.push_back(toDevice({.origin = random.inCube(0.95), .direction = random.direction()}));
         paths.push_back({vec3(1), i, i, shared::kNone, 0});
     }
-    const Bounce bounce = shade(both, rays, paths, 1, 0, 0);
+    const Bounce bounce = shade(both, rays, paths, 1, 0, Ways::One);
     std::map<std::uint32_t, std::size_t> compared; // by object
     std::size_t edges = 0;
     for (std::uint32_t i = 0; i < count; ++i) {

@@ -50,7 +50,12 @@ std::map<std::string, HostLayout> hostLayouts() {
                 camera.up, camera.width, camera.height, camera.lensRadius, camera.focusDistance, count, pass);
     HOST_LAYOUT(TraceClosestArguments, rays, hits, count, rootNode, width);
     HOST_LAYOUT(ShadeSurfaceArguments, rays, hits, paths, materials, lights, normals, instances, visiblePoints, emitted,
-                nextRays, nextPaths, alive, count, depth, maxDepth, pass, split, minWeight, roughPoints, width);
+                nextRays, nextPaths, alive, count, depth, maxDepth, pass, roughPoints, width);
+    HOST_LAYOUT(TraceWhittedArguments, slots, rays, paths, materials, lights, normals, instances, light, pixels,
+                roughPoints, nextRays, nextPaths, alive, seed.sequence, camera.position, camera.forward, camera.right,
+                camera.up, camera.width, camera.height, camera.lensRadius, camera.focusDistance, count, fromCamera,
+                depth, maxDepth, pass, minWeight, lightCount, rootNode, keeps, keptRays, keptPaths, hits, emitted,
+                visiblePoints);
     HOST_LAYOUT(SampleRoughLightsArguments, roughPoints, lights, direct, count, lightCount, light, pass, rootNode);
     HOST_LAYOUT(SampleLightsArguments, visiblePoints, lights, shadowRays, contributions, count, lightCount, light, pass,
                 maxDepth, bounceDepth, width);
@@ -64,6 +69,7 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(ScanGroupArguments, values, sums, count);
     HOST_LAYOUT(SumChunksArguments, values, sums, count);
     HOST_LAYOUT(ScanChunksArguments, values, chunkOffsets, sums, count);
+    HOST_LAYOUT(ListNextRaysArguments, alive, chunkOffsets, slots, count, slotsOfPath);
     HOST_LAYOUT(CountCellsArguments, photons, cellCounts, ranks, grid.inverseCellSize, grid.bucketMask, count);
     HOST_LAYOUT(FillCellsArguments, photons, cellStarts, ranks, order, grid.inverseCellSize, grid.bucketMask, count);
     HOST_LAYOUT(OrderCellsArguments, cellStarts, order, count);
@@ -85,7 +91,7 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(EstimateRadianceArguments, visiblePoints, map.order, map.cellStarts, map.grid.inverseCellSize,
                 map.grid.bucketMask, map.base, map.count, gathered, radii, radius, filterConstant, maxChange, nearest,
                 kinds, filterKind, count, maxDepth, width);
-    HOST_LAYOUT(SumPathsArguments, paths, emitted, direct, radiance, count);
+    HOST_LAYOUT(SumPathsArguments, pixels, light, radiance, count);
     HOST_LAYOUT(FilmSum, low, middle, high);
     HOST_LAYOUT(FilmColor, red.low, red.middle, red.high, green.low, green.middle, green.high, blue.low, blue.middle,
                 blue.high);

@@ -1,0 +1,25 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Lists the slots where next rays stand, without gaps and in order, a chunk of paths a thread. The rays themselves stay
+// where they are: to copy them costs more than to look up where they stand.
+#include "shared/kernel_arguments.h"
+#include "lib/thread.glsl"
+
+layout(push_constant, scalar) uniform Push { ListNextRaysArguments args; };
+
+void main() {
+    uint chunk = threadIndex();
+    uint begin = chunk * kScanChunk;
+    if (begin >= args.count) {
+        return;
+    }
+    uint end = min(begin + kScanChunk, args.count);
+    uint to = args.chunkOffsets.at[chunk];
+    for (uint i = begin; i < end; ++i) {
+        uint alive = args.alive.at[i];
+        for (uint child = 0u; child < alive; ++child) {
+            args.slots.at[to] = args.slotsOfPath * i + child;
+            ++to;
+        }
+    }
+}

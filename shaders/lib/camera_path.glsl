@@ -1,0 +1,97 @@
+// What becomes of camera paths at surfaces, alike for the integrators that take one way on and for Whitted's, which takes
+// all of them: where paths start, what they see of lights, and what they leave behind or carry on.
+#ifndef HYALITE_CAMERA_PATH_GLSL
+#define HYALITE_CAMERA_PATH_GLSL
+#include "shared/path_records.h"
+#include "lib/bsdf.glsl"
+#include "lib/light.glsl"
+#include "lib/quotient.glsl"
+#include "lib/sampling.glsl"
+#include "lib/surface.glsl"
+
+// A path and the ray that it goes on by.
+struct NextRay {
+    Ray ray;
+    CameraPath path;
+};
+
+// Through a point of the pixel and a point of the lens that the pass chooses. The filter over the pixel is a box; the
+// lens is thin: it sends what leaves one point of the plane in focus to one point of the image, by whichever way through
+// the lens.
+NextRay startAtCamera(CameraRecord camera, RenderSeed seed, uint pass, uint pixel) {
+    Sampler sampler_ = cameraSampler(seed, pass, pixel);
+    vec2 inPixel = sampleUnit(sampler_, kCameraPixel);
+    uint row = quotient(pixel, camera.width);
+    vec2 raster = vec2(pixel - row * camera.width, row) + inPixel;
+    vec2 image = vec2(2.0, -2.0) * raster / vec2(camera.width, camera.height) + vec2(-1.0, 1.0);
+    vec3 direction = camera.forward + image.x * camera.right + image.y * camera.up;
+    vec3 onLens = vec3(0.0);
+    if (camera.lensRadius > 0.0) {
+        vec2 place = camera.lensRadius * concentricDisc(sampleUnit(sampler_, kCameraLens));
+        onLens = place.x * normalize(camera.right) + place.y * normalize(camera.up);
+        direction -= onLens / camera.focusDistance;
+    }
+    return NextRay(Ray(camera.position + onLens, kInfinity, normalize(direction), 0u),
+                   CameraPath(vec3(1.0), pixel, sampler_.seed, kNone, 0.0));
+}
+
+// ---- What a path sees of lights
+
+// Emission counts in full where no light was sampled for the path's direction; else the two are weighed against one
+// another [Veach95]. `pmf`: with which probability the light would have been picked. `normal`: the light's where the ray
+// meets it, `distance` away.
+float emissionWeight(LightRecord light, float pmf, Ray ray, float distance, vec3 normal, CameraPath path) {
+    if (!(sceneHasRoughLobes() || kDiffuseBounces != 0u) || path.pdfW == 0.0) {
+        return 1.0;
+    }
+    return powerHeuristic(path.pdfW, pmf * lightPdf(light, ray.origin, ray.direction, distance, normal));
+}
+
+// From beyond the scene: the environment is the first of the lights. `every`: every light is sampled, none picked.
+vec3 emissionBeyond(LightArray lights, bool every, Ray ray, CameraPath path) {
+    LightRecord light = lights.at[0];
+    if (!isLight(light.type, kLightEnvironment)) {
+        return vec3(0.0);
+    }
+    return path.beta * environmentRadiance(light, ray.direction) *
+           emissionWeight(light, every ? 1.0 : light.pmf, ray, kInfinity, vec3(0.0), path);
+}
+
+// From the surface that the ray meets `distance` away.
+vec3 emissionOf(Surface s, LightArray lights, bool every, Ray ray, float distance, CameraPath path) {
+    if (s.light == kNone || !s.front) {
+        return vec3(0.0);
+    }
+    LightRecord light = lights.at[s.light];
+    return path.beta * light.emission *
+           emissionWeight(light, every ? 1.0 : light.pmf, ray, distance, s.geometricNormal, path);
+}
+
+// ---- What it leaves, and what goes on
+
+// `probability`: of the diffuse part among the ways that the path might have taken.
+VisiblePoint visibleAt(Surface s, DiffusePart diffuse, CameraPath path, uint depth, float cosOut, float probability) {
+    vec3 f = path.beta * diffuse.share * (diffuseFactor(diffuse.coat, cosOut) * kInvPi / probability);
+    return VisiblePoint(s.position + s.error * s.geometricNormal, depth, s.normal, path.samplerSeed, f, path.pixel,
+                        leaving(s, false), packUnitVector(s.geometricNormal, 16u), diffuse.coat);
+}
+
+VisiblePoint noVisiblePoint(CameraPath path) {
+    return VisiblePoint(vec3(0.0), 0u, vec3(0.0), path.samplerSeed, vec3(0.0), path.pixel, 0u, 0u, 0.0);
+}
+
+// `result`: where the light is to be added that it gets.
+RoughPoint roughAt(Surface s, Lobe lobe, vec3 wo, CameraPath path, uint depth, uint result) {
+    return RoughPoint(s.position, s.error, s.normal, depth, s.geometricNormal, path.samplerSeed, wo, leaving(s, false),
+                      path.beta, result, lobe);
+}
+
+// The path behind the surface, with random numbers of its own if it is one of two.
+CameraPath pathAfter(Surface s, BsdfSample next, CameraPath path, uint samplerSeed) {
+    path.beta *= next.weight;
+    path.samplerSeed = samplerSeed;
+    path.medium = next.through ? (s.front ? s.material : kNone) : path.medium;
+    path.pdfW = next.pdfW;
+    return path;
+}
+#endif
