@@ -27,13 +27,13 @@ struct Bvh {
 // Makes room for the tree behind others, from the given record and element on.
 void relocate(Bvh& bvh, std::uint32_t firstNode, std::uint32_t firstElement);
 
-// A binary tree on the way to the packed one. Node 0 is the root; a node of n elements owns the 2n - 1 slots from its
-// own on: its left child is the next slot, its right child follows the left subtree's slots.
+// A binary tree on the way to the packed one, down to single elements. Node 0 is the root; a node of n elements owns
+// the 2n - 1 slots from its own on: its left child is the next slot, its right child follows the left subtree's slots.
 struct BinaryNode {
     Aabb box;
     std::uint32_t first = 0; // range of `order`
     std::uint32_t count = 0;
-    std::uint32_t right = 0; // slot of the right child; 0: a leaf
+    std::uint32_t right = 0; // slot of the right child; 0: one element
 };
 
 struct BinaryBvh {
@@ -43,7 +43,7 @@ struct BinaryBvh {
 
 enum class SplitMethod { SurfaceArea, Median };
 
-[[nodiscard]] BinaryBvh buildBinaryBvh(std::span<const Aabb> boxes, std::uint32_t leafSize, SplitMethod method);
-[[nodiscard]] Bvh packBvh(const BinaryBvh& binary);
+[[nodiscard]] BinaryBvh buildBinaryBvh(std::span<const Aabb> boxes, SplitMethod method);
+[[nodiscard]] Bvh packBvh(const BinaryBvh& binary, std::uint32_t leafSize);
 
 } // namespace hyalite

@@ -18,7 +18,6 @@ namespace hyalite {
 namespace {
 
 constexpr int kBins = 16;
-constexpr float kNodeCost = 1.0F;                      // of a box test, in triangle tests
 constexpr std::uint32_t kParallelSubtree = 1U << 13U;  // below this a thread costs more than it brings
 constexpr std::uint32_t kParallelElements = 1U << 18U; // nodes as large as this are binned on all cores
 constexpr std::size_t kGrain = std::size_t{1} << 16U;
@@ -30,7 +29,7 @@ struct Element {
 };
 
 struct Split {
-    int axis = -1; // none: keep a leaf or cut the range in half
+    int axis = -1; // none: cut the range in half
     int bin = 0;   // elements in bins below this go left
     float cost = std::numeric_limits<float>::infinity();
 };
@@ -134,8 +133,8 @@ struct Extents {
 
 class Builder {
 public:
-    Builder(std::span<const Aabb> boxes, std::uint32_t leafSize, SplitMethod method)
-        : leafSize_(leafSize), method_(method), idleCores_(static_cast<int>(std::thread::hardware_concurrency()) - 1) {
+    Builder(std::span<const Aabb> boxes, SplitMethod method)
+        : method_(method), idleCores_(static_cast<int>(std::thread::hardware_concurrency()) - 1) {
         tree_.nodes.resize(boxes.empty() ? 1 : 2 * boxes.size() - 1);
         elements_.reserve(boxes.size());
         for (std::uint32_t i = 0; i < boxes.size(); ++i) {
@@ -170,10 +169,6 @@ private:
         if (method_ == SplitMethod::SurfaceArea) {
             split =
                 sum<Bins>(range, [&](Bins& sum, const Element& element) { sum.add(element, binning); }).leastCost(node);
-        }
-        const auto leafCost = static_cast<float>(count);
-        if (count <= leafSize_ && !(kNodeCost + split.cost < leafCost)) {
-            return;
         }
         const std::uint32_t leftCount = partition(range, split, binning, extents.centroids);
         node.right = slot + 2 * leftCount;
@@ -246,7 +241,6 @@ private:
         return half;
     }
 
-    std::uint32_t leafSize_;
     SplitMethod method_;
     std::atomic<int> idleCores_;
     std::vector<Element> elements_;
@@ -255,14 +249,14 @@ private:
 
 } // namespace
 
-BinaryBvh buildBinaryBvh(std::span<const Aabb> boxes, std::uint32_t leafSize, SplitMethod method) {
-    return Builder(boxes, leafSize, method).build();
+BinaryBvh buildBinaryBvh(std::span<const Aabb> boxes, SplitMethod method) {
+    return Builder(boxes, method).build();
 }
 
 Bvh buildBvh(std::span<const Aabb> boxes, std::uint32_t leafSize) {
-    Bvh bvh = packBvh(buildBinaryBvh(boxes, leafSize, SplitMethod::SurfaceArea));
+    Bvh bvh = packBvh(buildBinaryBvh(boxes, SplitMethod::SurfaceArea), leafSize);
     if (bvh.stackEntries > shared::kTraversalStack) {
-        bvh = packBvh(buildBinaryBvh(boxes, leafSize, SplitMethod::Median));
+        bvh = packBvh(buildBinaryBvh(boxes, SplitMethod::Median), leafSize);
     }
     return bvh;
 }

@@ -1,5 +1,5 @@
 // Turns the binary tree into 4-wide nodes with children's boxes in 8 bits a side [Ylitie17]: 48 bytes a node.
-#include "geometry/bvh.h"
+#include "geometry/bvh_collapse.h"
 
 #include "shaders/shared/limits.h"
 #include "shaders/shared/scene_records.h"
@@ -64,46 +64,20 @@ struct Frame {
 
 class Packer {
 public:
-    explicit Packer(const BinaryBvh& binary) : binary_(binary) {}
+    Packer(const BinaryBvh& binary, std::uint32_t leafSize) : binary_(binary), collapse_(binary, leafSize) {}
 
     Bvh pack() {
         bvh_.order.reserve(binary_.order.size());
         bvh_.texels.resize(kTexelsPerRecord);
-        bvh_.stackEntries = packNode(0, children(0), binary_.nodes[0].box);
+        bvh_.stackEntries = packNode(0, 0);
         return std::move(bvh_);
     }
 
 private:
-    using Children = std::vector<std::uint32_t>; // up to four binary nodes
-
-    [[nodiscard]] bool isLeaf(std::uint32_t slot) const { return binary_.nodes[slot].right == 0; }
-
-    // Opens the widest inner node until there are four. A root that is itself a leaf is its own only child.
-    [[nodiscard]] Children children(std::uint32_t slot) const {
-        if (binary_.order.empty()) {
-            return {};
-        }
-        Children list{slot};
-        while (list.size() < 4) {
-            auto widest = list.end();
-            for (auto it = list.begin(); it != list.end(); ++it) {
-                if (!isLeaf(*it) && (widest == list.end() ||
-                                     binary_.nodes[*it].box.halfArea() > binary_.nodes[*widest].box.halfArea())) {
-                    widest = it;
-                }
-            }
-            if (widest == list.end()) {
-                break;
-            }
-            const std::uint32_t opened = *widest;
-            *widest = opened + 1;
-            list.insert(widest + 1, binary_.nodes[opened].right);
-        }
-        return list;
-    }
-
     // Fills the node's record and appends all below it; returns the stack entries that traversal from here needs.
-    std::uint32_t packNode(std::size_t node, const Children& list, const Aabb& box) {
+    std::uint32_t packNode(std::size_t node, std::uint32_t slot) {
+        const std::vector<std::uint32_t> list = collapse_.children(slot);
+        const Aabb& box = binary_.nodes[slot].box;
         const Frame frame(box);
         const glm::dvec3 pad = list.empty() ? glm::dvec3(0) : Frame::padding(box);
         glm::uvec4 first = frame.texel();
@@ -119,8 +93,8 @@ private:
             low[3] |= frame.upper(child.box, pad[0], 0) << shift;
             high[0] |= frame.upper(child.box, pad[1], 1) << shift;
             high[1] |= frame.upper(child.box, pad[2], 2) << shift;
-            setKind(first, high, i, isLeaf(list[i]) ? child.count : shared::kInnerChild);
-            if (isLeaf(list[i])) {
+            setKind(first, high, i, collapse_.isLeaf(list[i]) ? child.count : shared::kInnerChild);
+            if (collapse_.isLeaf(list[i])) {
                 const auto elements = binary_.order.begin() + child.first;
                 bvh_.order.insert(bvh_.order.end(), elements, elements + child.count);
             } else {
@@ -135,8 +109,7 @@ private:
 
         std::uint32_t below = 1;
         for (std::size_t i = 0; i < inner.size(); ++i) {
-            below = std::max(
-                below, packNode(firstInner + i * kTexelsPerRecord, children(inner[i]), binary_.nodes[inner[i]].box));
+            below = std::max(below, packNode(firstInner + i * kTexelsPerRecord, inner[i]));
         }
         return static_cast<std::uint32_t>(std::max<std::size_t>(list.size(), 1) - 1) + below;
     }
@@ -150,13 +123,14 @@ private:
     }
 
     const BinaryBvh& binary_;
+    BvhCollapse collapse_;
     Bvh bvh_;
 };
 
 } // namespace
 
-Bvh packBvh(const BinaryBvh& binary) {
-    return Packer(binary).pack();
+Bvh packBvh(const BinaryBvh& binary, std::uint32_t leafSize) {
+    return Packer(binary, leafSize).pack();
 }
 
 glm::uvec4 childWords(std::span<const glm::uvec4> node) {

@@ -108,10 +108,9 @@ int main(int argc, char** argv) {
             }
         });
         BinaryBvh binary;
-        measure("binary hierarchy",
-                [&] { binary = buildBinaryBvh(boxes, kTrianglesPerLeaf, SplitMethod::SurfaceArea); });
+        measure("binary hierarchy", [&] { binary = buildBinaryBvh(boxes, SplitMethod::SurfaceArea); });
         Bvh packed;
-        measure("packed hierarchy", [&] { packed = packBvh(binary); });
+        measure("packed hierarchy", [&] { packed = packBvh(binary, kTrianglesPerLeaf); });
         std::printf("%.1f MB of nodes, %u stack entries\n", static_cast<double>(packed.texels.size()) * 16 / 1048576,
                     packed.stackEntries);
     } catch (const std::exception& error) {
