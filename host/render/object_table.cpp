@@ -251,13 +251,38 @@ private:
         return reversed;
     }
 
+    // Without which of the leaves nothing is left.
+    static std::vector<bool> requiredLeaves(const Csg& csg) {
+        std::vector<bool> required;
+        std::vector<std::size_t> stack; // first leaf of each operand
+        for (const CsgStep step : csg.program) {
+            if (step == CsgStep::Leaf) {
+                stack.push_back(required.size());
+                required.push_back(true);
+                continue;
+            }
+            const auto right = required.begin() + static_cast<std::ptrdiff_t>(stack.back());
+            stack.pop_back();
+            const auto left = required.begin() + static_cast<std::ptrdiff_t>(stack.back());
+            if (step != CsgStep::Intersection) { // what is taken off may be missing, and of a union either part
+                std::fill(right, required.end(), false);
+            }
+            if (step == CsgStep::Union) {
+                std::fill(left, right, false);
+            }
+        }
+        return required;
+    }
+
     void appendLeaves(const Csg& csg, std::uint32_t whole, std::uint32_t sceneObject) {
         const std::vector<bool> reversed = reversedLeaves(csg);
+        const std::vector<bool> required = requiredLeaves(csg);
         for (std::size_t i = 0; i < reversed.size(); ++i) {
             const Object& leaf = scene_.csgLeaves[csg.firstLeaf + i];
             const auto* plane = std::get_if<Plane>(&leaf.shape);
             ObjectRecord r = plane != nullptr ? record(halfSpace(*plane)) : recordOf(leaf.shape);
-            r.type |= shared::kShapeLeaf | (reversed[i] ? shared::kShapeReversed : 0);
+            r.type |= shared::kShapeLeaf | (reversed[i] ? shared::kShapeReversed : 0) |
+                      (required[i] ? shared::kShapeRequired : 0);
             append(r, leaf, whole, sceneObject, static_cast<std::uint32_t>(csg.firstLeaf + i));
         }
     }

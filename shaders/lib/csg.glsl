@@ -138,8 +138,13 @@ void traceCsg(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
         uint bit = 1u << leaf;
         inside = state.winding != 0 ? inside | bit : inside & ~bit;
         if (starting) {
+            uint type = objectHeader(leaves.x + leaf).type;
+            bool isAway = state.winding == 0 && state.t >= hit.t;
+            if (isAway && (type & kShapeRequired) != 0u && !(start.known && start.inside)) {
+                return; // and so the solid is away, up to the hit
+            }
             setCrossed(leaf, state.behind);
-            reversed |= (objectHeader(leaves.x + leaf).type & kShapeReversed) != 0u ? bit : 0u;
+            reversed |= (type & kShapeReversed) != 0u ? bit : 0u;
             if (++leaf < leaves.y) {
                 continue;
             }

@@ -107,8 +107,9 @@ float turnsOf(float y, float x) {
     return turns < 0.0 ? 1.0 + turns : turns;
 }
 
+// Where a component is no number it may be taken or left out.
 float maxComponent(vec3 v) {
-    return max(v.x, max(v.y, v.z));
+    return greater(v.x, greater(v.y, v.z));
 }
 
 // A component below 1e-18 is as good as zero; kept away from it, its inverse times anything is finite.

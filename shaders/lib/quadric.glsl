@@ -37,8 +37,8 @@ BoxSpan boxSpan(vec3 p, vec3 d, vec3 low, vec3 high) {
     vec3 inverse = 1.0 / awayFromZero(d);
     vec3 tLow = (low - p) * inverse;
     vec3 tHigh = (high - p) * inverse;
-    vec3 enter = min(tLow, tHigh);
-    vec3 leave = max(tLow, tHigh);
+    vec3 enter = lesser(tLow, tHigh);
+    vec3 leave = greater(tLow, tHigh);
     uvec3 backward = uvec3(lessThan(inverse, vec3(0.0)));
     uint enterAxis = enter.x >= enter.y ? (enter.x >= enter.z ? 0u : 2u) : (enter.y >= enter.z ? 1u : 2u);
     uint leaveAxis = leave.x <= leave.y ? (leave.x <= leave.z ? 0u : 2u) : (leave.y <= leave.z ? 1u : 2u);
@@ -87,8 +87,8 @@ FormRoots formRoots(QuadricForm form, vec3 p, vec3 d) {
     float root = sqrt(discriminant);
     float q = B > 0.0 ? -B - root : root - B;
     float other = q == 0.0 ? 0.0 : C / q;
-    float first = A == 0.0 ? (q < 0.0 ? -kInfinity : kInfinity) : clamp(q / A, -kInfinity, kInfinity);
-    vec2 roots = vec2(min(first, other), max(first, other));
+    float first = A == 0.0 ? (q < 0.0 ? -kInfinity : kInfinity) : lesser(greater(q / A, -kInfinity), kInfinity);
+    vec2 roots = vec2(lesser(first, other), greater(first, other));
     roots = vec2(polishedRoot(form, p, d, roots.x, roots.y - roots.x), polishedRoot(form, p, d, roots.y, roots.y - roots.x));
     return FormRoots(roots + toVertex, A >= 0.0);
 }

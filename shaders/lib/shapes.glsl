@@ -29,10 +29,10 @@ bool sphereRoots(vec3 o, vec3 d, vec4 sphere, bool isInside, out vec2 t) {
     }
     float distance = length(fromCenter);
     float c = (distance - radius) * (distance + radius);
-    float root = sqrt(max(discriminant, 0.0));
+    float root = sqrt(greater(discriminant, 0.0));
     float q = b > 0.0 ? -b - root : root - b;
     float t0 = q == 0.0 ? 0.0 : c / q;
-    t = vec2(min(t0, q), max(t0, q));
+    t = vec2(lesser(t0, q), greater(t0, q));
     return true;
 }
 

@@ -117,10 +117,11 @@ SHARED_CONSTANT kShapeTorus = 5u;
 SHARED_CONSTANT kShapeMesh = 6u;
 SHARED_CONSTANT kShapeCsg = 7u;
 SHARED_CONSTANT kShapeTypeMask = 0xffu;
-SHARED_CONSTANT kShapeOpen = 0x100u;     // quadric: its box cuts the surface and does not close it
-SHARED_CONSTANT kShapeReversed = 0x200u; // leaf of CSG: what is inside it is outside the solid
-SHARED_CONSTANT kShapeLeaf = 0x400u;     // leaf of CSG: in place of a light, the header names the object it is part of
-SHARED_CONSTANT kShapeSmooth = 0x800u;   // mesh: it has normals
+SHARED_CONSTANT kShapeOpen = 0x100u;      // quadric: its box cuts the surface and does not close it
+SHARED_CONSTANT kShapeReversed = 0x200u;  // leaf of CSG: what is inside it is outside the solid
+SHARED_CONSTANT kShapeLeaf = 0x400u;      // leaf of CSG: in place of a light, the header names the object it is part of
+SHARED_CONSTANT kShapeSmooth = 0x800u;    // mesh: it has normals
+SHARED_CONSTANT kShapeRequired = 0x1000u; // leaf of CSG: where it is not, the solid is not
 
 // What a quadric's Hit.primitive says: the form's own surface, or 1 + 2 * axis + (1 on the high side) for a face of its
 // box.
