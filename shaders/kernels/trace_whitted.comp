@@ -9,6 +9,7 @@
 // (docs/performance.md). Who looks on still sees it: `keeps`.
 #include "shared/kernel_arguments.h"
 #include "lib/camera_path.glsl"
+#include "lib/camera_ray.glsl"
 #include "lib/direct_light.glsl"
 #include "lib/medium.glsl"
 #include "lib/scene.glsl"

@@ -120,7 +120,7 @@ void traceCsg(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
     uvec2 leaves = floatBitsToUint(objectTexel(object, 0u).xy);
     uvec4 program = texelFetch(geometryTable, int(header.root));
     uint steps = 2u * leaves.y - 1u;
-    uint reversed = 0u;          // bits of the leaves whose inside is outside the solid
+    uint reversed = 0u; // bits of the leaves whose inside is outside the solid
 
     uint inside = 0u;
     bool starting = true;

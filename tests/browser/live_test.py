@@ -185,11 +185,12 @@ class Page(Live):
         self.wait(lambda: "generate_camera_rays" in self.find("#file").get_attribute("value"))
         time.sleep(0.3)
         wanted = path.read_text().replace('#include "lib/thread.glsl"', '#include "lib/thread.glsl"\n#include "lib/debug.glsl"')
-        wanted = wanted.replace("    vec2 inPixel =", "    if (pixel == 5u) {\n        debugPrint(camera.position);\n    }\n    vec2 inPixel =")
+        start = "        NextRay start ="
+        wanted = wanted.replace(start, "        if (pixel == 5u) {\n            debugPrint(args.camera.position);\n        }\n" + start)
         self.browser.execute_script("document.querySelector('#editor .CodeMirror').CodeMirror.setValue(arguments[0])", wanted)
         self.find("#save").click()
         self.wait(lambda: path.read_text() == wanted)
-        line = 1 + wanted[: wanted.index("debugPrint(camera")].count("\n")
+        line = 1 + wanted[: wanted.index("debugPrint(args.camera")].count("\n")
         # The thread's number is the pixel's; the camera stands at (0, 0, 3.9)
         printed = f"generate_camera_rays:{line} thread 5: 0 0 3.9"
         self.wait(lambda: self.server.state()["prints"])

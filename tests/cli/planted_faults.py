@@ -5,11 +5,11 @@ WHITTED = "tests/mirror-and-glass.yaml"
 
 # What is wrong, where, the text there, what stands in its place, a scene that shows it, and the stage where it shows.
 FAULTS = [
-    ("picture upside down", "lib/camera_path.glsl", "vec2(2.0, -2.0)", "vec2(2.0, 2.0)", CAUSTICS,
+    ("picture upside down", "lib/camera_ray.glsl", "vec2(2.0, -2.0)", "vec2(2.0, 2.0)", CAUSTICS,
      "generate_camera_rays"),
-    ("every ray through the middle of its pixel", "lib/camera_path.glsl", ", row) + inPixel",
+    ("every ray through the middle of its pixel", "lib/camera_ray.glsl", ", row) + inPixel",
      ", row) + 0.5", CAUSTICS, "generate_camera_rays"),
-    ("lens that focuses behind the camera", "lib/camera_path.glsl", "direction -= onLens",
+    ("lens that focuses behind the camera", "lib/camera_ray.glsl", "direction -= onLens",
      "direction += onLens", "globe.yaml", "generate_camera_rays"),
     ("far root of the sphere", "lib/shapes.glsl", "roots.x > 0.0 ? roots.x : roots.y", "roots.y", CAUSTICS,
      "trace_closest"),
