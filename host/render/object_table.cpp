@@ -232,57 +232,37 @@ private:
         return shared::kCsgDifference;
     }
 
-    // Which leaves are under an odd number of right operands of differences.
-    static std::vector<bool> reversedLeaves(const Csg& csg) {
-        std::vector<bool> reversed;
+    // What each leaf is to the solid, as bits of its type: reversed under an odd number of right operands of
+    // differences; required where nothing is left of the solid without it.
+    static std::vector<std::uint32_t> leafTypes(const Csg& csg) {
+        std::vector<std::uint32_t> types;
         std::vector<std::size_t> stack; // first leaf of each operand
         for (const CsgStep step : csg.program) {
             if (step == CsgStep::Leaf) {
-                stack.push_back(reversed.size());
-                reversed.push_back(false);
+                stack.push_back(types.size());
+                types.push_back(shared::kShapeLeaf | shared::kShapeRequired);
                 continue;
             }
             const std::size_t right = stack.back();
             stack.pop_back();
-            for (std::size_t leaf = right; step == CsgStep::Difference && leaf < reversed.size(); ++leaf) {
-                reversed[leaf] = !reversed[leaf];
+            for (std::size_t leaf = stack.back(); leaf < types.size(); ++leaf) {
+                const bool isTakenOff = step == CsgStep::Difference && leaf >= right;
+                types[leaf] ^= isTakenOff ? shared::kShapeReversed : 0;
+                if (isTakenOff || step == CsgStep::Union) {
+                    types[leaf] &= ~shared::kShapeRequired;
+                }
             }
         }
-        return reversed;
-    }
-
-    // Without which of the leaves nothing is left.
-    static std::vector<bool> requiredLeaves(const Csg& csg) {
-        std::vector<bool> required;
-        std::vector<std::size_t> stack; // first leaf of each operand
-        for (const CsgStep step : csg.program) {
-            if (step == CsgStep::Leaf) {
-                stack.push_back(required.size());
-                required.push_back(true);
-                continue;
-            }
-            const auto right = required.begin() + static_cast<std::ptrdiff_t>(stack.back());
-            stack.pop_back();
-            const auto left = required.begin() + static_cast<std::ptrdiff_t>(stack.back());
-            if (step != CsgStep::Intersection) { // what is taken off may be missing, and of a union either part
-                std::fill(right, required.end(), false);
-            }
-            if (step == CsgStep::Union) {
-                std::fill(left, right, false);
-            }
-        }
-        return required;
+        return types;
     }
 
     void appendLeaves(const Csg& csg, std::uint32_t whole, std::uint32_t sceneObject) {
-        const std::vector<bool> reversed = reversedLeaves(csg);
-        const std::vector<bool> required = requiredLeaves(csg);
-        for (std::size_t i = 0; i < reversed.size(); ++i) {
+        const std::vector<std::uint32_t> types = leafTypes(csg);
+        for (std::size_t i = 0; i < types.size(); ++i) {
             const Object& leaf = scene_.csgLeaves[csg.firstLeaf + i];
             const auto* plane = std::get_if<Plane>(&leaf.shape);
             ObjectRecord r = plane != nullptr ? record(halfSpace(*plane)) : recordOf(leaf.shape);
-            r.type |= shared::kShapeLeaf | (reversed[i] ? shared::kShapeReversed : 0) |
-                      (required[i] ? shared::kShapeRequired : 0);
+            r.type |= types[i];
             append(r, leaf, whole, sceneObject, static_cast<std::uint32_t>(csg.firstLeaf + i));
         }
     }
