@@ -4,7 +4,7 @@
 #include "bench/timing.h"
 #include "gpu/context.h"
 #include "gpu/shader_compiler.h"
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 
 #include <cstdint>
 #include <filesystem>

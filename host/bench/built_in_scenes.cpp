@@ -1,8 +1,8 @@
 #include "bench/built_in_scenes.h"
 
 #include "bench/mesh_room.h"
-#include "scene/named_quadrics.h"
-#include "scene/teapot.h"
+#include "scene/import/teapot.h"
+#include "scene/model/named_quadrics.h"
 
 #include <functional>
 #include <glm/gtc/matrix_transform.hpp>

@@ -1,7 +1,7 @@
 // Scenes that the benchmark makes itself, so that figures of two machines are of the same rays.
 #pragma once
 
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 
 #include <string>
 #include <vector>

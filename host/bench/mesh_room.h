@@ -1,7 +1,7 @@
 // A closed room as one mesh: rough walls, pillars and balls of uneven surface.
 #pragma once
 
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 
 namespace hyalite::bench {
 

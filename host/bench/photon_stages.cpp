@@ -2,14 +2,14 @@
 
 #include "bench/timing.h"
 #include "geometry/search_radius.h"
-#include "render/camera_paths.h"
-#include "render/photon_grid.h"
-#include "render/photon_paths.h"
-#include "render/photon_query.h"
-#include "render/photon_slots.h"
-#include "render/photon_tree.h"
-#include "scene/bounds.h"
-#include "scene/render_seed.h"
+#include "render/photons/photon_grid.h"
+#include "render/photons/photon_paths.h"
+#include "render/photons/photon_query.h"
+#include "render/photons/photon_slots.h"
+#include "render/photons/photon_tree.h"
+#include "render/wavefront/camera_paths.h"
+#include "scene/model/bounds.h"
+#include "scene/model/render_seed.h"
 
 #include <functional>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "bench/benchmark.h"
-#include "render/device.h"
-#include "render/device_scene.h"
+#include "render/upload/device_scene.h"
+#include "render/wavefront/device.h"
 
 namespace hyalite::bench {
 

@@ -1,7 +1,7 @@
 #include "bench/ray_sets.h"
 
-#include "render/camera_paths.h"
-#include "render/light_sampler.h"
+#include "render/wavefront/camera_paths.h"
+#include "render/wavefront/light_sampler.h"
 
 #include "shaders/shared/pixel_order.h"
 

@@ -1,9 +1,9 @@
 // The rays that are measured: those that rendering the scene traces, made by the kernels that make them there.
 #pragma once
 
-#include "render/device.h"
-#include "render/device_scene.h"
-#include "scene/scene.h"
+#include "render/upload/device_scene.h"
+#include "render/wavefront/device.h"
+#include "scene/model/scene.h"
 
 #include "shaders/shared/path_records.h"
 

@@ -1,12 +1,12 @@
 // `hyalite merge`: passes of one render, made anywhere, to the picture that one render of them all makes.
+#include "base/numbers.h"
 #include "base/output_file.h"
 #include "base/stopwatch.h"
 #include "cli/command.h"
 #include "cli/open_device.h"
 #include "cli/render_report.h"
 #include "image/image_io.h"
-#include "render/checkpoint.h"
-#include "scene/numbers.h"
+#include "render/film/checkpoint.h"
 
 #include <CLI/CLI.hpp>
 #include <memory>

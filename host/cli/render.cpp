@@ -1,6 +1,7 @@
 // `hyalite render`: a scene file to pictures, on the device or by the reference.
 #include "reference/render.h"
 #include "base/interrupt.h"
+#include "base/numbers.h"
 #include "base/output_file.h"
 #include "base/progress.h"
 #include "base/stopwatch.h"
@@ -10,11 +11,10 @@
 #include "cli/render_report.h"
 #include "cli/scene_settings.h"
 #include "image/image_io.h"
-#include "render/buffer_dump.h"
-#include "render/device.h"
-#include "render/render_identity.h"
-#include "scene/load_scene.h"
-#include "scene/numbers.h"
+#include "render/debug/buffer_dump.h"
+#include "render/film/render_identity.h"
+#include "render/wavefront/device.h"
+#include "scene/yaml/load_scene.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

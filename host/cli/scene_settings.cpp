@@ -1,6 +1,6 @@
 #include "cli/scene_settings.h"
 
-#include "scene/settings.h"
+#include "scene/yaml/settings.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,7 +1,7 @@
 // Options of the command line that set keys of the scene file.
 #pragma once
 
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 
 #include <optional>
 #include <string>

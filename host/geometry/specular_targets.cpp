@@ -1,6 +1,6 @@
 #include "geometry/specular_targets.h"
 
-#include "scene/bounds.h"
+#include "scene/model/bounds.h"
 
 #include <algorithm>
 #include <cmath>

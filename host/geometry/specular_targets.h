@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/bounding_sphere.h"
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 
 #include <vector>
 

@@ -4,10 +4,10 @@
 #include "parity/observed.h"
 #include "parity/path_recorder.h"
 #include "parity/sides.h"
-#include "reference/custom_twins.h"
-#include "render/custom_code.h"
-#include "scene/load_scene.h"
-#include "scene/settings.h"
+#include "reference/bsdf/custom_twins.h"
+#include "render/upload/custom_code.h"
+#include "scene/yaml/load_scene.h"
+#include "scene/yaml/settings.h"
 
 #include <algorithm>
 #include <array>

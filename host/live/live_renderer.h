@@ -6,7 +6,7 @@
 #include "live/dispatch_guard.h"
 #include "live/reloading_compiler.h"
 #include "parity/path_comparison.h"
-#include "render/debug_view.h"
+#include "render/debug/debug_view.h"
 #include "render/renderer.h"
 
 #include <filesystem>

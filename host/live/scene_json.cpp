@@ -1,6 +1,6 @@
 #include "live/scene_json.h"
 
-#include "scene/yaml_tree.h"
+#include "scene/yaml/yaml_tree.h"
 
 #include <fstream>
 #include <set>

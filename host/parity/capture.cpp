@@ -1,7 +1,7 @@
 #include "parity/capture.h"
 
 #include "parity/twins.h"
-#include "reference/custom_twins.h"
+#include "reference/bsdf/custom_twins.h"
 
 #include <algorithm>
 #include <array>

@@ -3,11 +3,11 @@
 #include "image/flip.h"
 #include "image/metrics.h"
 #include "parity/capture.h"
-#include "reference/custom_twins.h"
+#include "reference/bsdf/custom_twins.h"
 #include "reference/render.h"
-#include "render/device.h"
 #include "render/renderer.h"
-#include "scene/render_seed.h"
+#include "render/wavefront/device.h"
+#include "scene/model/render_seed.h"
 
 #include <algorithm>
 #include <utility>

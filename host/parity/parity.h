@@ -8,7 +8,7 @@
 #include "image/image.h"
 #include "parity/comparison.h"
 #include "parity/path_comparison.h"
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 
 #include <optional>
 #include <set>

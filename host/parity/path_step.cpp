@@ -1,6 +1,6 @@
 #include "parity/path_step.h"
 
-#include "reference/path.h"
+#include "reference/integrators/path.h"
 
 namespace hyalite::parity {
 

@@ -2,7 +2,7 @@
 #include "parity/report.h"
 
 #include "image/png.h"
-#include "scene/base64.h"
+#include "scene/import/base64.h"
 
 #include "parity/report_template.h"
 

@@ -2,11 +2,11 @@
 // tables that the upload left.
 #pragma once
 
-#include "reference/photons.h"
-#include "reference/rough_light.h"
-#include "reference/shading.h"
+#include "reference/integrators/shading.h"
+#include "reference/lights/rough_light.h"
+#include "reference/photons/photons.h"
 #include "reference/world.h"
-#include "render/device_scene.h"
+#include "render/upload/device_scene.h"
 
 #include "shaders/shared/path_records.h"
 

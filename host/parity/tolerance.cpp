@@ -16,7 +16,7 @@ struct Allowed {
 constexpr Allowed kSame{0, "a copy: the same bits"};
 constexpr Allowed kPosition{
     0x1p-18, "positions of curved and transformed shapes are right to 2^-20 of the coordinates that they "
-             "are computed from (lib/surface.glsl); the ray's way there, and the step off the surface, add "
+             "are computed from (shapes/surface.glsl); the ray's way there, and the step off the surface, add "
              "as much each"};
 constexpr Allowed kDirection{0x1p-20, "a dozen roundings of components below 1"};
 constexpr Allowed kNormal{0x1p-14, "the position's error over the shape's radius: 2^-20 of the scene over 1/64 of it"};

@@ -1,6 +1,6 @@
 #include "parity/twin_paths.h"
 
-#include "reference/sampling.h"
+#include "reference/lib/sampling.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // Camera paths: their start, and where they go on from diffuse surfaces.
 #include "parity/twins.h"
 
-#include "reference/path.h"
-#include "reference/sampling.h"
+#include "reference/integrators/path.h"
+#include "reference/lib/sampling.h"
 
 #include "shaders/shared/kernel_arguments.h"
 #include "shaders/shared/limits.h"

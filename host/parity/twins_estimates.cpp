@@ -1,9 +1,9 @@
 // What photons nearby tell of a place: radiance, irradiance, visibility.
 #include "parity/twins.h"
 
-#include "reference/photon_map.h"
-#include "reference/radiance_estimate.h"
-#include "reference/shadow_photons.h"
+#include "reference/photons/photon_map.h"
+#include "reference/photons/radiance_estimate.h"
+#include "reference/photons/shadow_photons.h"
 
 #include "shaders/shared/kernel_arguments.h"
 #include "shaders/shared/limits.h"

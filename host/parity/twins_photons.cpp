@@ -1,9 +1,9 @@
 // Photon paths: their start, and what becomes of them at surfaces.
 #include "parity/at_hit.h"
 
-#include "reference/bsdf.h"
-#include "reference/projection_map.h"
-#include "reference/texture.h"
+#include "reference/bsdf/bsdf.h"
+#include "reference/photons/projection_map.h"
+#include "reference/textures/texture.h"
 
 #include "shaders/shared/kernel_arguments.h"
 #include "shaders/shared/limits.h"

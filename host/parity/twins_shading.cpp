@@ -1,7 +1,7 @@
 // What becomes of camera paths at surfaces, where they take one way on and where they take all.
 #include "parity/at_hit.h"
 
-#include "reference/path.h"
+#include "reference/integrators/path.h"
 
 #include "shaders/shared/kernel_arguments.h"
 #include "shaders/shared/limits.h"

@@ -1,11 +1,11 @@
 // Picks the integrator.
 #include "reference/render.h"
 
-#include "reference/custom_twins.h"
-#include "reference/path.h"
-#include "reference/photon_views.h"
-#include "reference/ppm.h"
-#include "reference/whitted.h"
+#include "reference/bsdf/custom_twins.h"
+#include "reference/integrators/path.h"
+#include "reference/integrators/ppm.h"
+#include "reference/integrators/whitted.h"
+#include "reference/photons/photon_views.h"
 
 #include <algorithm>
 

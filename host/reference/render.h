@@ -3,7 +3,7 @@
 #pragma once
 
 #include "image/layered_image.h"
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 
 #include <cstdint>
 #include <functional>

@@ -2,7 +2,7 @@
 #include "reference/world.h"
 
 #include "geometry/specular_targets.h"
-#include "scene/bounds.h"
+#include "scene/model/bounds.h"
 
 #include <algorithm>
 #include <cmath>

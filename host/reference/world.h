@@ -3,13 +3,13 @@
 #pragma once
 
 #include "geometry/bounding_sphere.h"
-#include "reference/bvh.h"
-#include "reference/camera.h"
-#include "reference/csg.h"
-#include "reference/geometry.h"
-#include "reference/lights.h"
-#include "reference/solid.h"
-#include "scene/scene.h"
+#include "reference/camera/camera.h"
+#include "reference/lights/lights.h"
+#include "reference/shapes/bvh.h"
+#include "reference/shapes/csg.h"
+#include "reference/shapes/geometry.h"
+#include "reference/shapes/solid.h"
+#include "scene/model/scene.h"
 
 #include <cstdint>
 #include <optional>

@@ -1,12 +1,12 @@
 #include "render/renderer.h"
 
 #include "base/stopwatch.h"
-#include "render/custom_code.h"
-#include "render/path.h"
-#include "render/photon_mapping.h"
-#include "render/ppm.h"
-#include "render/scene_identity.h"
-#include "render/whitted.h"
+#include "render/integrators/path.h"
+#include "render/integrators/photon_mapping.h"
+#include "render/integrators/ppm.h"
+#include "render/integrators/whitted.h"
+#include "render/upload/custom_code.h"
+#include "render/upload/scene_identity.h"
 
 #include <bit>
 

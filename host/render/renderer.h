@@ -4,10 +4,10 @@
 #include "gpu/commands.h"
 #include "gpu/shader_compiler.h"
 #include "image/layered_image.h"
-#include "render/checkpointing.h"
-#include "render/device_scene.h"
-#include "render/integrator.h"
-#include "scene/scene.h"
+#include "render/film/checkpointing.h"
+#include "render/integrators/integrator.h"
+#include "render/upload/device_scene.h"
+#include "scene/model/scene.h"
 
 #include <filesystem>
 #include <functional>

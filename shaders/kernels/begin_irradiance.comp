@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Makes visible points of the marked photons: the radiance estimate there, with f = 1, is the irradiance [Christensen99].
 #include "shared/kernel_arguments.h"
-#include "lib/photon.glsl"
+#include "photons/photon.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { BeginIrradianceArguments args; };

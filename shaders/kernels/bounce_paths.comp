@@ -3,7 +3,7 @@
 // Path tracing goes on from diffuse surfaces, by the cosine. Roulette ends paths in proportion to what they still carry
 // [Arvo90].
 #include "shared/kernel_arguments.h"
-#include "lib/diffuse.glsl"
+#include "bsdf/diffuse.glsl"
 #include "lib/sampling.glsl"
 #include "lib/thread.glsl"
 

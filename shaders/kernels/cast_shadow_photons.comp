@@ -3,10 +3,10 @@
 // Follows photons straight from the light through everything in their way. On diffuse surfaces they leave a direct photon
 // first and shadow photons after that, without power: what the light reaches, and what it does not [JensenChristensen95].
 #include "shared/kernel_arguments.h"
-#include "lib/bsdf.glsl"
-#include "lib/photon.glsl"
-#include "lib/surface.glsl"
-#include "lib/texture.glsl"
+#include "bsdf/bsdf.glsl"
+#include "photons/photon.glsl"
+#include "shapes/surface.glsl"
+#include "textures/texture.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { CastShadowPhotonsArguments args; };

@@ -3,7 +3,7 @@
 // Tells by the photons about a visible point which lights it sees: those whose photons nearby are all direct, and are
 // enough, are seen; those of which there are but shadow photons are hidden; of the rest a shadow ray decides [JensenChristensen95].
 #include "shared/kernel_arguments.h"
-#include "lib/nearest.glsl"
+#include "photons/nearest.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { ClassifyVisibilityArguments args; };

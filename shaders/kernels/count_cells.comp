@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Counts the photons of every bucket of the grid; empty slots do not count.
 #include "shared/kernel_arguments.h"
-#include "lib/grid.glsl"
+#include "photons/grid.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { CountCellsArguments args; };

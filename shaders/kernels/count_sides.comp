@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // How many photons of every chunk of a node's three lists go to its left child.
 #include "shared/kernel_arguments.h"
-#include "lib/kdtree.glsl"
-#include "lib/kdtree_chunk.glsl"
+#include "photons/kdtree.glsl"
+#include "photons/kdtree_chunk.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { CountSidesArguments args; };

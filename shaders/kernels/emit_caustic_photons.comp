@@ -3,7 +3,7 @@
 // Starts the photons of the caustic map: a light in proportion to power and share, a ray from it towards something
 // specular [Jensen01, ch. 5].
 #include "shared/kernel_arguments.h"
-#include "lib/projection.glsl"
+#include "photons/projection.glsl"
 #include "lib/sampling.glsl"
 #include "lib/thread.glsl"
 

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Starts the photons of a pass: a light in proportion to power and share, a ray from it [Jensen01, ch. 5].
 #include "shared/kernel_arguments.h"
-#include "lib/light.glsl"
+#include "lights/light.glsl"
 #include "lib/sampling.glsl"
 #include "lib/thread.glsl"
 

@@ -4,7 +4,7 @@
 // independent means A and B. With variances V / n and V / m, (A - B)^2 estimates V (n + m) / (n m), so that the variance
 // of the mean over all passes, V / (n + m), is estimated by (A - B)^2 n m / (n + m)^2.
 #include "shared/kernel_arguments.h"
-#include "lib/film.glsl"
+#include "film/film.glsl"
 #include "lib/thread.glsl"
 
 const float kDarkFloor = 0.01; // keeps black pixels from deciding alone, as in relMSE [(W/(m^2 sr))^2]

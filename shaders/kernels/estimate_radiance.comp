@@ -4,9 +4,9 @@
 // weighted by a filter, over the integral of the filter. The disc reaches to the k-th photon, which itself is left out:
 // k - 1 photons in a disc that the k-th ends estimate the density without bias; docs/photon-mapping.md has the proof.
 #include "shared/kernel_arguments.h"
-#include "lib/custom_filter.glsl"
-#include "lib/diffuse.glsl"
-#include "lib/nearest.glsl"
+#include "photons/custom_filter.glsl"
+#include "bsdf/diffuse.glsl"
+#include "photons/nearest.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { EstimateRadianceArguments args; };

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Lists the photons bucket by bucket; inside a bucket the order is yet that of arrival.
 #include "shared/kernel_arguments.h"
-#include "lib/grid.glsl"
+#include "photons/grid.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { FillCellsArguments args; };

@@ -3,7 +3,7 @@
 // Builds the kd-tree below one level: a thread each, for subtrees so small that splitting their lists among threads
 // would cost more than it saves.
 #include "shared/kernel_arguments.h"
-#include "lib/kdtree.glsl"
+#include "photons/kdtree.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { FinishSubtreesArguments args; };

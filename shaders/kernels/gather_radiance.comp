@@ -3,10 +3,10 @@
 // Radiance estimate at every visible point: the flux of the photons in a disc about it, over the disc's area
 // [Jensen01, ch. 7], here with a fixed radius and without what of the disc lies beyond the edges of the surface.
 #include "shared/kernel_arguments.h"
-#include "lib/diffuse.glsl"
-#include "lib/disc.glsl"
-#include "lib/grid.glsl"
-#include "lib/photon.glsl"
+#include "bsdf/diffuse.glsl"
+#include "photons/disc.glsl"
+#include "photons/grid.glsl"
+#include "photons/photon.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { GatherRadianceArguments args; };

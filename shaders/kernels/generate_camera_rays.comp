@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Starts one camera path per pixel.
 #include "shared/kernel_arguments.h"
-#include "lib/camera_ray.glsl"
+#include "camera/camera_ray.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { GenerateCameraRaysArguments args; };

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Numbers the stored photons in the order of their slots and writes the three keys that each is sorted by.
 #include "shared/kernel_arguments.h"
-#include "lib/kdtree.glsl"
+#include "photons/kdtree.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { KeyPhotonsArguments args; };

@@ -3,8 +3,8 @@
 // What a gathering ray finds at the diffuse surface where it ends: the irradiance of the nearest record there
 // [Christensen99], reflected.
 #include "shared/kernel_arguments.h"
-#include "lib/diffuse.glsl"
-#include "lib/nearest.glsl"
+#include "bsdf/diffuse.glsl"
+#include "photons/nearest.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { LookUpIrradianceArguments args; };

@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The answers of lib/nearest.glsl themselves, so that they can be compared with those of asking every photon.
+// The answers of photons/nearest.glsl themselves, so that they can be compared with those of asking every photon.
 #include "shared/kernel_arguments.h"
-#include "lib/nearest.glsl"
+#include "photons/nearest.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { NearestPhotonsArguments args; };

@@ -3,8 +3,8 @@
 // Parts the three lists of every node of one level: left child, the photon that splits (which leaves the lists here),
 // right child, each in the order it had.
 #include "shared/kernel_arguments.h"
-#include "lib/kdtree.glsl"
-#include "lib/kdtree_chunk.glsl"
+#include "photons/kdtree.glsl"
+#include "photons/kdtree_chunk.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { PartSidesArguments args; };

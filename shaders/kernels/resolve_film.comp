@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // The film as a picture: the mean over passes.
 #include "shared/kernel_arguments.h"
-#include "lib/film.glsl"
+#include "film/film.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { ResolveFilmArguments args; };

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Picks a direction to a light for each visible point, and says which shadow ray decides whether its light arrives.
 #include "shared/kernel_arguments.h"
-#include "lib/direct_light.glsl"
+#include "lights/direct_light.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { SampleLightsArguments args; };

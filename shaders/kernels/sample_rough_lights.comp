@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // Picks a point on a light for each rough point and adds its light if nothing stands between.
 #include "shared/kernel_arguments.h"
-#include "lib/direct_light.glsl"
-#include "lib/scene.glsl"
+#include "lights/direct_light.glsl"
+#include "shapes/scene.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { SampleRoughLightsArguments args; };

@@ -4,12 +4,12 @@
 // reflection and absorption [Jensen01, ch. 5]. Nothing follows a photon that has used all but the last segment of the
 // longest path: that one belongs to the camera.
 #include "shared/kernel_arguments.h"
-#include "lib/bsdf.glsl"
-#include "lib/medium.glsl"
-#include "lib/photon.glsl"
+#include "bsdf/bsdf.glsl"
+#include "bsdf/medium.glsl"
+#include "photons/photon.glsl"
 #include "lib/sampling.glsl"
-#include "lib/surface.glsl"
-#include "lib/texture.glsl"
+#include "shapes/surface.glsl"
+#include "textures/texture.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { ScatterPhotonArguments args; };

@@ -4,9 +4,9 @@
 // the pixel's visible point, a lobe sends it on. At smooth glass it takes one of reflection and refraction, at a surface
 // with both a diffuse part and a lobe one of these.
 #include "shared/kernel_arguments.h"
-#include "lib/camera_path.glsl"
-#include "lib/medium.glsl"
-#include "lib/texture.glsl"
+#include "camera/camera_path.glsl"
+#include "bsdf/medium.glsl"
+#include "textures/texture.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { ShadeSurfaceArguments args; };

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Draws what geometry says of the surface that each ray meets first: to look at, not light.
 #include "shared/kernel_arguments.h"
-#include "lib/surface.glsl"
+#include "shapes/surface.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { ShowSurfaceArguments args; };

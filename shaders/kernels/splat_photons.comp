@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // Draws photons as points: each that nothing hides from the camera counts in the pixel it projects to.
 #include "shared/kernel_arguments.h"
-#include "lib/photon.glsl"
-#include "lib/scene.glsl"
+#include "photons/photon.glsl"
+#include "shapes/scene.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { SplatPhotonsArguments args; };

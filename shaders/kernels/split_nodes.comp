@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Chooses the axis and the photon that split every node of one level of the kd-tree.
 #include "shared/kernel_arguments.h"
-#include "lib/kdtree.glsl"
+#include "photons/kdtree.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { SplitNodesArguments args; };

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Final gathering: one ray from each visible point, with the density cos / pi that its surface weighs light by.
 #include "shared/kernel_arguments.h"
-#include "lib/diffuse.glsl"
+#include "bsdf/diffuse.glsl"
 #include "lib/sampling.glsl"
 #include "lib/thread.glsl"
 

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Finds the closest hit of every ray.
 #include "shared/kernel_arguments.h"
-#include "lib/scene.glsl"
+#include "shapes/scene.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { TraceClosestArguments args; };

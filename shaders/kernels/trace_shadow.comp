@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Adds what a light contributes wherever nothing stands between it and the surface.
 #include "shared/kernel_arguments.h"
-#include "lib/scene.glsl"
+#include "shapes/scene.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { TraceShadowArguments args; };

@@ -8,12 +8,12 @@
 // All in one kernel: with nothing to gather between the stages, what they hand on by memory costs more than it brings
 // (docs/performance.md). Who looks on still sees it: `keeps`.
 #include "shared/kernel_arguments.h"
-#include "lib/camera_path.glsl"
-#include "lib/camera_ray.glsl"
-#include "lib/direct_light.glsl"
-#include "lib/medium.glsl"
-#include "lib/scene.glsl"
-#include "lib/texture.glsl"
+#include "camera/camera_path.glsl"
+#include "camera/camera_ray.glsl"
+#include "lights/direct_light.glsl"
+#include "bsdf/medium.glsl"
+#include "shapes/scene.glsl"
+#include "textures/texture.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { TraceWhittedArguments args; };

@@ -4,7 +4,7 @@
 #extension GL_KHR_shader_subgroup_basic : require
 #include "shared/limits.h"
 #include "shared/pixel_order.h"
-#include "lib/quotient.glsl"
+#include "shapes/quotient.glsl"
 
 layout(local_size_x = kGroupSize) in;
 

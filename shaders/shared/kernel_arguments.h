@@ -296,7 +296,7 @@ struct NearestPhotonsArguments {
 SHARED_CONSTANT kFilterNone = 0u;
 SHARED_CONSTANT kFilterCone = 1u;
 SHARED_CONSTANT kFilterGaussian = 2u;
-SHARED_CONSTANT kFilterCustom = 3u; // see lib/custom_filter.glsl
+SHARED_CONSTANT kFilterCustom = 3u; // see photons/custom_filter.glsl
 
 struct EstimateRadianceArguments {
     VisiblePointArray visiblePoints;

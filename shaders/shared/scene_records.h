@@ -23,7 +23,7 @@ SHARED_CONSTANT kMaterialMirror = 2u;            // color = reflectance
 SHARED_CONSTANT kMaterialDielectric = 3u;        // ior = inside over outside
 SHARED_CONSTANT kMaterialConductor = 4u;         // color + i extinction = index
 SHARED_CONSTANT kMaterialMetallicRoughness = 5u; // color = that of the diffuse base and of the metal
-SHARED_CONSTANT kMaterialCustom = 6u;            // see lib/custom_reflectance.glsl
+SHARED_CONSTANT kMaterialCustom = 6u;            // see bsdf/custom_reflectance.glsl
 SHARED_CONSTANT kMaterialRough = 31u;            // no type: says of a scene that some lobe of it is rough
 
 struct MaterialRecord {
@@ -155,7 +155,7 @@ SHARED_CONSTANT kTexelsPerTexture = 2u;
 SHARED_CONSTANT kTextureImage = 0u;
 SHARED_CONSTANT kTextureCheckerWorld = 1u;
 SHARED_CONSTANT kTextureCheckerUv = 2u;
-SHARED_CONSTANT kTextureCustom = 3u; // see lib/custom_texture.glsl
+SHARED_CONSTANT kTextureCustom = 3u; // see textures/custom_texture.glsl
 
 // What surface evaluation needs of an object beyond its texels; one per object.
 struct InstanceRecord {

@@ -122,11 +122,11 @@ class Page(Live):
         self.wait(lambda: self.number("passes") == PASSES)
         before = self.drawn()
         number = self.canvas().get_attribute("data-id")
-        path = self.shader("lib/diffuse.glsl")
+        path = self.shader("bsdf/diffuse.glsl")
         path.write_text(path.read_text() + "float oops() { return missing; }\n")
         line = len(path.read_text().splitlines())
         card = self.wait(lambda: self.browser.find_elements(By.CSS_SELECTOR, ".error"))[0].text
-        for part in ("'gather_radiance'", "missing", f"shaders/lib/diffuse.glsl:{line}", "float oops"):
+        for part in ("'gather_radiance'", "missing", f"shaders/bsdf/diffuse.glsl:{line}", "float oops"):
             self.assertIn(part, card)
         time.sleep(1)
         self.assertEqual((self.canvas().get_attribute("data-id"), self.drawn()), (number, before))
@@ -134,7 +134,7 @@ class Page(Live):
         # The place opens the file there, the error in its margin
         self.find(".error .place").click()
         self.wait(lambda: self.browser.find_elements(By.CSS_SELECTOR, "#editor .problem"))
-        self.assertEqual(self.find("#file").get_attribute("value"), "shaders/lib/diffuse.glsl")
+        self.assertEqual(self.find("#file").get_attribute("value"), "shaders/bsdf/diffuse.glsl")
         # One mistake, however many kernels include the file
         self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, ".error")), 1)
         self.screenshot("mistake-editor")

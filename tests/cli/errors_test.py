@@ -238,7 +238,7 @@ class Shaders(Refusals):
 
     def test_a_syntax_error_in_an_included_file_names_that_file_and_the_kernel(self):
         self.copy_shaders()
-        place = self.insert_mistake("lib/dielectric.glsl")
+        place = self.insert_mistake("bsdf/dielectric.glsl")
         words = [place, "kernel '", "syntax error"]
         self.assert_all_refused(BAD_INPUT, {"library": (["render", "scene.yaml", "--shaders", "shaders"], *words)})
 

@@ -1,6 +1,6 @@
 // Checkpoints, with and without a checksum that fits; what is read is put together with itself.
 #include "fuzz/fuzz_input.h"
-#include "render/checkpoint.h"
+#include "render/film/checkpoint.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace hyalite;

@@ -1,6 +1,6 @@
 // glTF, as JSON or binary. Its other files are looked for in an empty folder.
 #include "fuzz/fuzz_input.h"
-#include "scene/gltf_import.h"
+#include "scene/import/gltf_import.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const hyalite::fuzz::InputFile folder("mesh.gltf");

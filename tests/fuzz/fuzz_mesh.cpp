@@ -1,6 +1,6 @@
 // Mesh files of one format: OBJ, PLY or STL, as HYALITE_PARSE says.
 #include "fuzz/fuzz_input.h"
-#include "scene/mesh_import.h"
+#include "scene/import/mesh_import.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     return hyalite::fuzz::expectAnswer(

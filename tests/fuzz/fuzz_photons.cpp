@@ -1,6 +1,6 @@
 // Files of photon maps, with and without a checksum that fits.
 #include "fuzz/fuzz_input.h"
-#include "render/photon_file.h"
+#include "render/photons/photon_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace hyalite;

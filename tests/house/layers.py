@@ -5,11 +5,13 @@ import re
 
 RULE = (
     "base <- image <- scene <- geometry <- {gpu, reference} <- render <- {parity, bench} <- live <- cli; Vulkan only under host/gpu; "
+    "host/scene is model <- import <- yaml; "
     "of shaders/ the reference takes only shared/{random,limits,language}.h"
 )
 
 RANK = {"base": 0, "image": 1, "scene": 2, "geometry": 3, "gpu": 4, "reference": 4, "render": 5, "parity": 6, "bench": 6, "live": 7, "cli": 8}
 MAIN = 9  # host/main.cpp
+ROOMS = {"scene": {"model": 0, "import": 1, "yaml": 2}}  # within a folder, likewise
 REFERENCE_MAY_TAKE = {f"shaders/shared/{name}.h" for name in ("random", "limits", "language")}
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
 
@@ -17,6 +19,11 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
 def folder_of(path):
     parts = path.split("/")
     return parts[1] if len(parts) > 2 else None
+
+
+def room_of(path):
+    parts = path.split("/")
+    return parts[2] if len(parts) > 3 else None
 
 
 def includes(tree, path):
@@ -63,6 +70,10 @@ def violations_of(tree, path):
             there = folder_of(target)
             if here != there and RANK.get(there, MAIN) >= RANK.get(here, MAIN):
                 yield f"{where}: {here} stands before or beside {there}"
+            rooms = ROOMS.get(here, {})
+            room, other = room_of(path), room_of(target)
+            if here == there and rooms.get(other, -1) > rooms.get(room, len(rooms)):
+                yield f"{where}: {here}/{room} stands before {here}/{other}"
 
 
 def check(tree):
@@ -79,6 +90,8 @@ CLEAN = {
     "host/reference/ppm.h": '#include "geometry/bvh.h"\n#include "shaders/shared/random.h"\n',
     "host/geometry/bvh.h": '#include "box.h"\n#include "shaders/shared/scene_records.h"\n',
     "host/geometry/box.h": "",
+    "host/scene/yaml/reader.h": '#include "scene/model/scene.h"\n',
+    "host/scene/model/scene.h": "",
     "host/base/error.h": "",
     "shaders/shared/random.h": "",
     "shaders/shared/scene_records.h": "",
@@ -91,5 +104,6 @@ PLANTED = [
     ("host/reference/ppm.h", '#include "../../shaders/shared/scene_records.h"\n', "must not take"),
     ("host/render/ppm.h", "#include <vulkan/vulkan.h>\n", "Vulkan outside"),
     ("host/render/ppm.h", '#include "gpu/device.h"\n', "Vulkan outside"),
+    ("host/scene/model/scene.h", '#include "scene/yaml/reader.h"\n', "scene/model stands before scene/yaml"),
     ("host/extra/thing.h", "\n", "no place in the order"),
 ]

@@ -1,9 +1,9 @@
 #include "image/known_answer.h"
 
 #include "reference/render.h"
-#include "render/device_scene.h"
-#include "render/ppm.h"
+#include "render/integrators/ppm.h"
 #include "render/renderer.h"
+#include "render/upload/device_scene.h"
 #include "support/gpu_fixture.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // samples that the tests of chance (support/statistics.h) judge.
 #pragma once
 
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 #include "support/statistics.h"
 
 #include <functional>

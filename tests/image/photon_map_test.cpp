@@ -1,9 +1,9 @@
 // Photon maps where the light is known on paper, on the device and in the reference.
 #include "kernel/kernel_support.h"
-#include "reference/photons.h"
+#include "reference/photons/photons.h"
 #include "reference/render.h"
-#include "render/photon_paths.h"
-#include "render/photon_slots.h"
+#include "render/photons/photon_paths.h"
+#include "render/photons/photon_slots.h"
 #include "render/renderer.h"
 
 #include <numeric>

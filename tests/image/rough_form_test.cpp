@@ -1,7 +1,7 @@
 // Rough and metallic surfaces in scenes whose radiance is known on paper or by an integral over the hemisphere.
 #include "image/known_answer.h"
 #include "kernel/kernel_support.h"
-#include "reference/bsdf.h"
+#include "reference/bsdf/bsdf.h"
 #include "render/renderer.h"
 
 namespace hyalite::testing {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kernel/kernel_support.h"
-#include "reference/shading.h"
+#include "reference/integrators/shading.h"
 
 #include <numeric>
 

@@ -1,7 +1,7 @@
 // generate_camera_rays against its twin.
 #include "kernel/kernel_support.h"
-#include "reference/shading.h"
-#include "scene/render_seed.h"
+#include "reference/integrators/shading.h"
+#include "scene/model/render_seed.h"
 
 #include <catch2/generators/catch_generators.hpp>
 

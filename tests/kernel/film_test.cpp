@@ -1,7 +1,7 @@
 // The film: sums that are exact in any order, what is no radiance, and films that are put together.
 #include "kernel/kernel_support.h"
-#include "render/checkpoint.h"
-#include "render/film.h"
+#include "render/film/checkpoint.h"
+#include "render/film/film.h"
 
 #include <algorithm>
 #include <bit>

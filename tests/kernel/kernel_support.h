@@ -2,8 +2,8 @@
 #pragma once
 
 #include "reference/world.h"
-#include "render/device.h"
-#include "render/device_scene.h"
+#include "render/upload/device_scene.h"
+#include "render/wavefront/device.h"
 #include "support/gpu_fixture.h"
 #include "unit/reference/support.h"
 

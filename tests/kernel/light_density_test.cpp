@@ -16,7 +16,7 @@ struct LightDensitiesArguments {
 
 constexpr const char* kKernel = R"(#version 460
 #include "shared/kernel_arguments.h"
-#include "lib/light.glsl"
+#include "lights/light.glsl"
 #include "lib/thread.glsl"
 struct Arguments {
     LightArray lights;

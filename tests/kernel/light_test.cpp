@@ -1,6 +1,6 @@
 // sample_lights and emit_photons against their twins, for every kind of light.
 #include "kernel/every_light.h"
-#include "reference/photons.h"
+#include "reference/photons/photons.h"
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 // long that takes by the clock, and how long all cores together have computed: the latter holds on a busy machine too.
 #include "base/stopwatch.h"
 #include "kernel/photon_sets.h"
-#include "render/photon_grid.h"
-#include "render/photon_query.h"
-#include "render/photon_tree.h"
+#include "render/photons/photon_grid.h"
+#include "render/photons/photon_query.h"
+#include "render/photons/photon_tree.h"
 
 #include <algorithm>
 #include <cstdio>

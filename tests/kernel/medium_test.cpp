@@ -1,7 +1,7 @@
 // Absorption in glass on the device against the reference: along camera paths and along photons' paths.
 #include "kernel/bounce.h"
-#include "reference/photons.h"
-#include "reference/shading.h"
+#include "reference/integrators/shading.h"
+#include "reference/photons/photons.h"
 
 namespace hyalite::testing {
 

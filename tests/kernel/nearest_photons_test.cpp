@@ -1,8 +1,8 @@
 // The nearest photons that the kernels find in trees and grids, against those that asking every photon finds.
 #include "kernel/photon_sets.h"
-#include "render/photon_grid.h"
-#include "render/photon_query.h"
-#include "render/photon_tree.h"
+#include "render/photons/photon_grid.h"
+#include "render/photons/photon_query.h"
+#include "render/photons/photon_tree.h"
 
 #include <algorithm>
 

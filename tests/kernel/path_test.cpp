@@ -1,7 +1,7 @@
 // Path tracing's own kernel, and what sample_lights does for it, against their twins.
 #include "kernel/every_light.h"
-#include "reference/path.h"
-#include "reference/rough_light.h"
+#include "reference/integrators/path.h"
+#include "reference/lights/rough_light.h"
 
 #include <algorithm>
 

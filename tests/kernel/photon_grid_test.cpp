@@ -1,7 +1,7 @@
 // The photon grid and the gathering of radiance, against brute force and against the reference.
 #include "kernel/kernel_support.h"
-#include "reference/photon_map.h"
-#include "render/photon_grid.h"
+#include "reference/photons/photon_map.h"
+#include "render/photons/photon_grid.h"
 
 #include <algorithm>
 #include <map>

@@ -1,12 +1,12 @@
 // The kernels of photon mapping that are its own, against their twins.
 #include "kernel/kernel_support.h"
-#include "reference/materials.h"
-#include "reference/photons.h"
-#include "reference/projection_map.h"
-#include "reference/shadow_photons.h"
-#include "render/photon_paths.h"
-#include "render/photon_slots.h"
-#include "render/shadow_photons.h"
+#include "reference/bsdf/materials.h"
+#include "reference/photons/photons.h"
+#include "reference/photons/projection_map.h"
+#include "reference/photons/shadow_photons.h"
+#include "render/photons/photon_paths.h"
+#include "render/photons/photon_slots.h"
+#include "render/photons/shadow_photons.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // scatter_photon against its twin, bounce after bounce.
 #include "kernel/kernel_support.h"
-#include "reference/photons.h"
+#include "reference/photons/photons.h"
 
 #include <array>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kernel/kernel_support.h"
-#include "reference/photons.h"
+#include "reference/photons/photons.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 // The kd-tree that the kernels build, against its definition.
 #include "base/error.h"
 #include "kernel/photon_sets.h"
-#include "render/photon_tree.h"
+#include "render/photons/photon_tree.h"
 
 #include "shaders/shared/kd_tree.h"
 

@@ -1,9 +1,9 @@
 // The kernels that keep lists: prefix sums, compaction, sums over a pixel's paths, the film.
 #include "kernel/kernel_support.h"
-#include "reference/film.h"
-#include "render/film.h"
-#include "render/next_rays.h"
-#include "render/prefix_sum.h"
+#include "reference/film/film.h"
+#include "render/film/film.h"
+#include "render/wavefront/next_rays.h"
+#include "render/wavefront/prefix_sum.h"
 
 #include <numeric>
 

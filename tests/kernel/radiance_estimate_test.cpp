@@ -1,9 +1,9 @@
 // The radiance estimate from the nearest photons, against the reference and against densities that are known.
 #include "kernel/photon_sets.h"
-#include "reference/radiance_estimate.h"
-#include "render/photon_grid.h"
-#include "render/photon_query.h"
-#include "render/photon_tree.h"
+#include "reference/photons/radiance_estimate.h"
+#include "render/photons/photon_grid.h"
+#include "render/photons/photon_query.h"
+#include "render/photons/photon_tree.h"
 
 #include <array>
 #include <catch2/matchers/catch_matchers_string.hpp>

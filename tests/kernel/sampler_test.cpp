@@ -2,11 +2,11 @@
 // independent numbers. Where a map of the draws to the unit square makes them uniform, that map is the theory; else
 // densities known on paper are summed over cells.
 #include "kernel/kernel_support.h"
-#include "reference/bsdf.h"
-#include "reference/ggx.h"
-#include "reference/photons.h"
-#include "reference/projection_map.h"
-#include "scene/render_seed.h"
+#include "reference/bsdf/bsdf.h"
+#include "reference/bsdf/ggx.h"
+#include "reference/photons/photons.h"
+#include "reference/photons/projection_map.h"
+#include "scene/model/render_seed.h"
 #include "support/statistics.h"
 #include "unit/gpu/temporary_shaders.h"
 
@@ -33,8 +33,8 @@ struct DrawSamplesArguments {
 
 constexpr const char* kKernel = R"(#version 460
 #include "shared/kernel_arguments.h"
-#include "lib/bsdf.glsl"
-#include "lib/light.glsl"
+#include "bsdf/bsdf.glsl"
+#include "lights/light.glsl"
 #include "lib/thread.glsl"
 struct Arguments {
     LightArray lights;

@@ -1,6 +1,6 @@
 // Textures on every shape that has coordinates, on the device against the reference.
 #include "kernel/bounce.h"
-#include "reference/shading.h"
+#include "reference/integrators/shading.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -1,8 +1,8 @@
 // Pictures of what a scene is rather than of its light: each of their dispatches against its twin.
 #include "parity/capture.h"
-#include "render/debug_view.h"
-#include "render/device.h"
-#include "scene/load_scene.h"
+#include "render/debug/debug_view.h"
+#include "render/wavefront/device.h"
+#include "scene/yaml/load_scene.h"
 #include "support/gpu_fixture.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Photon mapping in two passes, device against reference, setting by setting.
 #include "parity/compare_pictures.h"
-#include "scene/load_scene.h"
-#include "scene/settings.h"
+#include "scene/yaml/load_scene.h"
+#include "scene/yaml/settings.h"
 
 #include <filesystem>
 

@@ -1,8 +1,8 @@
 // Shapes of every kind with random sizes and transforms, and random CSG trees over them.
 #pragma once
 
-#include "scene/bounds.h"
-#include "scene/quadric.h"
+#include "scene/model/bounds.h"
+#include "scene/model/quadric.h"
 #include "unit/reference/support.h"
 
 #include <glm/gtc/matrix_transform.hpp>

@@ -2,7 +2,7 @@
 // found by Welzl's algorithm for the others.
 #include "geometry/bounding_sphere.h"
 
-#include "scene/teapot.h"
+#include "scene/import/teapot.h"
 
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>

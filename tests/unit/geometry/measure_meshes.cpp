@@ -4,8 +4,8 @@
 #include "base/stopwatch.h"
 #include "geometry/bounding_sphere.h"
 #include "geometry/bvh.h"
-#include "scene/mesh_import.h"
-#include "scene/mesh_topology.h"
+#include "scene/import/mesh_import.h"
+#include "scene/model/mesh_topology.h"
 
 #include <cmath>
 #include <cstdio>

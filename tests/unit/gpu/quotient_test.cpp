@@ -46,7 +46,7 @@ TEST_CASE("the quotient by way of floats is that of integers") {
     const testing::TemporaryShaders folder;
     folder.writeKernel("divide", "UintArray dividends;\nUintArray divisors;",
                        "args.dividends.at[i] = quotient(args.dividends.at[i], args.divisors.at[i]);",
-                       "#include \"lib/quotient.glsl\"\n");
+                       "#include \"shapes/quotient.glsl\"\n");
     Gpu& gpu = Gpu::shared();
     const gpu::Kernel kernel(gpu.context(), gpu.tables(), gpu::ShaderCompiler(folder.shaders()), "divide");
     const Divisions asked = divisions();

@@ -1,9 +1,9 @@
 // Rough lobes against what theory says of them: energy, reciprocity, densities, limits. Integrals over the hemisphere
 // are sums over a grid of cells of equal solid angle.
-#include "reference/bsdf.h"
+#include "reference/bsdf/bsdf.h"
 
-#include "reference/ggx.h"
-#include "reference/materials.h"
+#include "reference/bsdf/ggx.h"
+#include "reference/bsdf/materials.h"
 #include "unit/reference/support.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // The thin lens against the formulas of optics.
-#include "reference/camera.h"
+#include "reference/camera/camera.h"
 
 #include "reference/world.h"
 #include "unit/reference/support.h"

@@ -1,8 +1,8 @@
 // The environment's image: where its parts are seen, and how directions are sampled from it.
-#include "reference/environment.h"
+#include "reference/lights/environment.h"
 
-#include "reference/lights.h"
-#include "reference/whitted.h"
+#include "reference/integrators/whitted.h"
+#include "reference/lights/lights.h"
 #include "reference/world.h"
 #include "unit/reference/support.h"
 

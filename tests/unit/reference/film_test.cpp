@@ -1,5 +1,5 @@
 // The film's arithmetic: means and their standard errors from passes that are dealt to two camera sequences.
-#include "reference/film.h"
+#include "reference/film/film.h"
 
 #include "unit/reference/support.h"
 

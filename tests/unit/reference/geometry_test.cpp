@@ -1,7 +1,7 @@
 // One ray against one shape: hits derived by hand, from inside and outside, grazing and far away.
-#include "reference/geometry.h"
+#include "reference/shapes/geometry.h"
 
-#include "reference/triangle.h"
+#include "reference/shapes/triangle.h"
 #include "unit/reference/support.h"
 
 using namespace hyalite;

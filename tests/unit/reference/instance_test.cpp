@@ -1,5 +1,5 @@
 // Instances of meshes against the same triangles in world space; and meshes as solids: how often a line passes them.
-#include "reference/instance.h"
+#include "reference/shapes/instance.h"
 
 #include "reference/world.h"
 #include "unit/reference/random_solids.h"

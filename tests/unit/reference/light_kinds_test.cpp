@@ -1,6 +1,6 @@
 // Spots, parallel light and emitting meshes against closed forms: what they send to a surface, and their photons.
-#include "reference/lights.h"
-#include "reference/photons.h"
+#include "reference/lights/lights.h"
+#include "reference/photons/photons.h"
 
 #include "reference/world.h"
 #include "unit/reference/support.h"

@@ -1,8 +1,8 @@
 // Light flux, choice and sampling against closed forms.
-#include "reference/lights.h"
-#include "reference/photons.h"
+#include "reference/lights/lights.h"
+#include "reference/photons/photons.h"
 
-#include "reference/shading.h"
+#include "reference/integrators/shading.h"
 #include "unit/reference/support.h"
 
 #include <cmath>

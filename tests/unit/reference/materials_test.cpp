@@ -1,5 +1,5 @@
 // Reflection, refraction and Fresnel's equations against values known on paper.
-#include "reference/materials.h"
+#include "reference/bsdf/materials.h"
 
 #include "unit/reference/support.h"
 

@@ -1,8 +1,8 @@
 // Absorption in glass against closed forms.
-#include "reference/medium.h"
+#include "reference/bsdf/medium.h"
 
-#include "reference/photons.h"
-#include "reference/whitted.h"
+#include "reference/integrators/whitted.h"
+#include "reference/photons/photons.h"
 #include "unit/reference/support.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // Path tracing against series known on paper.
-#include "reference/path.h"
+#include "reference/integrators/path.h"
 
 #include "unit/reference/furnace.h"
 

@@ -1,5 +1,5 @@
 // Finding photons and estimating radiance from them.
-#include "reference/photon_map.h"
+#include "reference/photons/photon_map.h"
 
 #include "unit/reference/support.h"
 

@@ -1,7 +1,7 @@
 // The photon pass: what is stored, in which order, and that no energy is made or lost.
-#include "reference/photons.h"
+#include "reference/photons/photons.h"
 
-#include "reference/lights.h"
+#include "reference/lights/lights.h"
 #include "unit/reference/support.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Progressive photon mapping against closed forms, and what the pass loop promises.
-#include "reference/ppm.h"
+#include "reference/integrators/ppm.h"
 
 #include "unit/reference/support.h"
 

@@ -1,6 +1,6 @@
 // Lines against quadrics: crossings derived on paper, lines that make the quadratic linear, and the two ways of
 // transforming a surface.
-#include "reference/solid.h"
+#include "reference/shapes/solid.h"
 
 #include "unit/reference/random_solids.h"
 

@@ -1,5 +1,5 @@
 // The radiance estimate from the nearest photons, by numbers known on paper.
-#include "reference/radiance_estimate.h"
+#include "reference/photons/radiance_estimate.h"
 
 #include "unit/reference/support.h"
 

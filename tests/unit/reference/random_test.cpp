@@ -1,6 +1,6 @@
 // The random numbers themselves: both kinds are uniform, and padded dimensions and derived sequences know nothing of
 // one another.
-#include "reference/sampling.h"
+#include "reference/lib/sampling.h"
 
 #include "unit/reference/support.h"
 

@@ -1,5 +1,5 @@
 // The maps of the unit square: points worked out by hand, and moments by the midpoint rule.
-#include "reference/sampling.h"
+#include "reference/lib/sampling.h"
 
 #include "unit/reference/support.h"
 

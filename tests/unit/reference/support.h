@@ -1,8 +1,8 @@
 // What the tests of the reference share: comparisons of vectors, plain random numbers, and small scenes.
 #pragma once
 
-#include "reference/sampling.h"
-#include "scene/scene.h"
+#include "reference/lib/sampling.h"
+#include "scene/model/scene.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

@@ -1,5 +1,5 @@
 // Textures against what they are by definition.
-#include "reference/texture.h"
+#include "reference/textures/texture.h"
 
 #include "reference/world.h"
 #include "unit/reference/support.h"

@@ -1,5 +1,5 @@
 // Lines against a torus: crossings derived on paper, and every crossing of random lines found by looking.
-#include "reference/torus.h"
+#include "reference/shapes/torus.h"
 
 #include "unit/reference/random_solids.h"
 

@@ -1,5 +1,5 @@
 // Recursive ray tracing against closed forms: one pixel, one ray, one number.
-#include "reference/whitted.h"
+#include "reference/integrators/whitted.h"
 
 #include "unit/reference/support.h"
 

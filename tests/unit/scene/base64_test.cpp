@@ -1,5 +1,5 @@
 // Base64 by the test vectors of RFC 4648, section 10.
-#include "scene/base64.h"
+#include "scene/import/base64.h"
 
 #include <catch2/catch_test_macros.hpp>
 

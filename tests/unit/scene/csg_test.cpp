@@ -2,7 +2,7 @@
 // materials and bounds, and every mistake with its place.
 #include "unit/scene/bad_scene.h"
 
-#include "scene/bounds.h"
+#include "scene/model/bounds.h"
 
 #include <cmath>
 #include <glm/glm.hpp>

@@ -3,7 +3,7 @@
 
 #include "unit/scene/mesh_test_support.h"
 
-#include "scene/gltf_import.h"
+#include "scene/import/gltf_import.h"
 
 #include <nlohmann/json.hpp>
 #include <span>

@@ -1,9 +1,9 @@
 // glTF import: the same pyramid in every encoding, attributes, nodes, materials, and scenes that show such files.
 #include "unit/scene/mesh_gltf_support.h"
 
-#include "scene/base64.h"
-#include "scene/mesh_import.h"
-#include "scene/mesh_topology.h"
+#include "scene/import/base64.h"
+#include "scene/import/mesh_import.h"
+#include "scene/model/mesh_topology.h"
 
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>

@@ -1,7 +1,7 @@
 // OBJ and PLY import: the same small mesh in every encoding, normals, polygons, and every mistake with its place.
 #include "unit/scene/mesh_test_support.h"
 
-#include "scene/mesh_import.h"
+#include "scene/import/mesh_import.h"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
 // STL import: text and binary, told apart whatever they begin with, welded, and every mistake with its place.
 #include "unit/scene/mesh_test_support.h"
 
-#include "scene/mesh_import.h"
-#include "scene/mesh_topology.h"
+#include "scene/import/mesh_import.h"
+#include "scene/model/mesh_topology.h"
 
 #include <cctype>
 #include <limits>

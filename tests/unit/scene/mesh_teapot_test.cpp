@@ -1,9 +1,9 @@
 // The teapot: known points and extents of Newell's surface, its symmetry, counts, normals and open edges.
 #include "unit/scene/mesh_test_support.h"
 
-#include "scene/mesh_topology.h"
-#include "scene/teapot.h"
-#include "scene/teapot_patches.h"
+#include "scene/import/teapot.h"
+#include "scene/import/teapot_patches.h"
+#include "scene/model/mesh_topology.h"
 
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <map>

@@ -3,7 +3,7 @@
 
 #include "unit/scene/scene_test_support.h"
 
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // Closed and open meshes: small solids by hand, with repeated positions, degenerate triangles and holes.
-#include "scene/mesh_topology.h"
-#include "scene/mesh_weld.h"
+#include "scene/model/mesh_topology.h"
+#include "scene/model/mesh_weld.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

@@ -1,7 +1,7 @@
 // The coefficients of the named quadrics, derived by hand.
-#include "scene/named_quadrics.h"
+#include "scene/model/named_quadrics.h"
 
-#include "scene/quadric.h"
+#include "scene/model/quadric.h"
 
 #include <array>
 #include <catch2/catch_test_macros.hpp>

@@ -2,7 +2,7 @@
 // random points.
 #include "unit/scene/scene_test_support.h"
 
-#include "scene/quadric.h"
+#include "scene/model/quadric.h"
 #include "unit/scene/random_points.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // fixed, so that a failure repeats.
 #include "unit/scene/scene_test_support.h"
 
-#include "scene/mesh_import.h"
+#include "scene/import/mesh_import.h"
 
 #include <array>
 #include <random>

@@ -1,7 +1,7 @@
 // What right scene files mean: the shipped scenes' values, defaults, and shapes baked through hand-derived transforms.
 #include "unit/scene/scene_test_support.h"
 
-#include "scene/bounds.h"
+#include "scene/model/bounds.h"
 
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>

@@ -2,7 +2,7 @@
 // option.
 #include "unit/scene/scene_test_support.h"
 
-#include "scene/settings.h"
+#include "scene/yaml/settings.h"
 
 #include <catch2/matchers/catch_matchers_string.hpp>
 

@@ -3,9 +3,9 @@
 #include "unit/scene/random_points.h"
 #include "unit/scene/scene_test_support.h"
 
-#include "scene/bounds.h"
-#include "scene/quadric.h"
-#include "scene/read_placement.h"
+#include "scene/model/bounds.h"
+#include "scene/model/quadric.h"
+#include "scene/yaml/read_placement.h"
 
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Words in error messages, and numbers in text.
-#include "scene/numbers.h"
-#include "scene/spelling.h"
+#include "base/numbers.h"
+#include "base/spelling.h"
 
 #include <array>
 #include <catch2/catch_test_macros.hpp>

@@ -3,7 +3,7 @@
 #include "unit/scene/mesh_gltf_support.h"
 
 #include "image/image_io.h"
-#include "scene/mesh_import.h"
+#include "scene/import/mesh_import.h"
 
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
@@ -279,7 +279,7 @@ TEST_CASE("code of a scene must lie in its folder, be named like its function an
     folder.write("inner/none.glsl", "vec3 other(vec3 p, vec2 uv, vec4 k) { return p; }\n");
     folder.write("inner/wrong.glsl", "float wrong(vec3 p, vec2 uv, vec4 k) { return 1.0; }\n");
     folder.write("inner/takes.glsl",
-                 "#include \"lib/light.glsl\"\nvec3 takes(vec3 p, vec2 uv, vec4 k) { return p; }\n");
+                 "#include \"lights/light.glsl\"\nvec3 takes(vec3 p, vec2 uv, vec4 k) { return p; }\n");
     folder.write("inner/two words.glsl", "vec3 two(vec3 p, vec2 uv, vec4 k) { return p; }\n");
     folder.write("inner/good.txt", "vec3 good(vec3 p, vec2 uv, vec4 k) { return p; }\n");
     std::filesystem::create_symlink(folder.path() / "outside.glsl", inner / "link.glsl");

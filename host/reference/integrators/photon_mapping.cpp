@@ -1,0 +1,199 @@
+// First pass: photons. Second pass: direct light by shadow rays, caustics from their map, indirect light by rays that
+// gather from the global map or, without these, from the global map at the place itself [Jensen96].
+#include "reference/integrators/photon_mapping.h"
+
+#include "base/parallel.h"
+#include "reference/bsdf/materials.h"
+#include "reference/integrators/shading.h"
+#include "reference/lib/sampling.h"
+#include "reference/photons/photons.h"
+#include "reference/photons/radiance_estimate.h"
+#include "reference/photons/shadow_photons.h"
+#include "scene/model/render_seed.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace hyalite::reference {
+
+namespace {
+
+using std::numbers::pi;
+
+PhotonMap traceGlobalMap(const World& world) {
+    return PhotonMap(
+        tracePhotons(world, {.sequence = shared::photonSequence(renderSeed(world.render), shared::kGlobalPhotons, 0),
+                             .count = world.render.photons,
+                             .kinds = kGlobalKinds}));
+}
+
+std::optional<PhotonMap> traceCausticMap(const World& world) {
+    const PhotonMapSettings& settings = world.render.photonMap;
+    if (settings.causticPhotons == 0 || world.targets.empty()) {
+        return std::nullopt;
+    }
+    return PhotonMap(
+        tracePhotons(world, {.sequence = shared::photonSequence(renderSeed(world.render), shared::kCausticPhotons, 0),
+                             .count = settings.causticPhotons,
+                             .kinds = kindBit(PhotonKind::Caustic),
+                             .aimed = settings.projectionMap}));
+}
+
+// The irradiance at every fourth photon of the global map [Christensen99].
+PhotonMap computeIrradiance(const World& world, const PhotonMap& global) {
+    std::vector<Photon> records;
+    for (const Photon& photon : global.photons()) {
+        if ((photon.photon + photon.depth) % 4 == 0) {
+            records.push_back(photon);
+        }
+    }
+    parallelFor(records.size(), 256, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const VisiblePoint x{.position = records[i].position,
+                                 .shadowOrigin = records[i].position,
+                                 .normal = records[i].normal,
+                                 .geometricNormal = records[i].normal,
+                                 .f = glm::dvec3(1),
+                                 .depth = 1,
+                                 .samplerSeed = 0};
+            records[i].power = estimateRadiance(global, x, globalOptions(world, kGlobalKinds)).radiance;
+        }
+    });
+    return PhotonMap(std::move(records));
+}
+
+// The light that a gathering ray finds at a diffuse surface: all of it.
+glm::dvec3 lookUp(const World& world, const PhotonMaps& maps, const VisiblePoint& y) {
+    if (!maps.irradiance) {
+        return estimateRadiance(maps.global, y, globalOptions(world, kGlobalKinds)).radiance;
+    }
+    const auto sameSide = [&](const Photon& photon) {
+        return glm::dot(photon.normal, y.normal) > 0.5 && glm::dot(photon.direction, y.normal) > 0;
+    };
+    const auto nearest = maps.irradiance->nearest(y.position, 1, world.globalRadius, sameSide);
+    if (nearest.empty()) {
+        return glm::dvec3(0);
+    }
+    // The irradiance has no direction: as if it came from everywhere, of which a coat lets in 1 - 1/21, for 1/21 is the
+    // mean of 1 - coatTransmission over the hemisphere, weighted by the cosine
+    return y.f * maps.irradiance->photons()[nearest.front().index].power * (y.coated ? 20.0 / 21 : 1);
+}
+
+// One gathering ray brings f cos / pdf = f pi times the radiance it finds. Light it sees itself is direct light, and
+// light it sees in mirrors, through glass or on rough surfaces belongs to the caustics: none of it counts.
+glm::dvec3 finalGather(const World& world, const PhotonMaps& maps, const VisiblePoint& x, std::uint32_t pass) {
+    const std::uint32_t rays = world.render.photonMap.gatherRays;
+    glm::dvec3 L(0);
+    for (std::uint32_t ray = 0; ray < rays; ++ray) {
+        const std::uint32_t gather = shared::gatherPass(pass, rays, ray);
+        const shared::Sampler sampler = shared::pathSampler(shared::gatherSequence(x.samplerSeed), gather);
+        const glm::dvec3 direction = cosineHemisphere(sampleUnitSquare(sampler, shared::kGatherDirection), x.normal);
+        if (glm::dot(direction, x.geometricNormal) <= 0) {
+            continue;
+        }
+        const double entering = x.coated ? coatTransmission(glm::dot(direction, x.normal)) : 1;
+        followPath(world, {.origin = x.shadowOrigin, .direction = direction},
+                   {.beta = x.f * (pi * entering), .samplerSeed = sampler.seed}, 1, gather,
+                   [&](const Shading& shading) {
+                       if (shading.visible) {
+                           L += lookUp(world, maps, *shading.visible) / static_cast<double>(rays);
+                       }
+                   });
+    }
+    return L;
+}
+
+// One shadow ray to every light whose visibility the photons do not tell.
+glm::dvec3 directLight(const World& world, const PhotonMaps& maps, const VisiblePoint& x, std::uint32_t pass) {
+    if (x.depth + 1 > world.render.maxDepth) {
+        return glm::dvec3(0);
+    }
+    const auto lights = static_cast<std::uint32_t>(world.lights.size());
+    const Visibility known = maps.shadow ? classifyVisibility(*maps.shadow, x, lights,
+                                                              world.render.photonMap.shadowPhotons, world.causticRadius)
+                                         : Visibility{};
+    glm::dvec3 L(0);
+    for (std::uint32_t light = 0; light < lights; ++light) {
+        const std::optional<LightSample> sample = sampleLight(world, x, pass, light);
+        const bool isLit = light < 32 && (known.lit >> light & 1U) != 0;
+        const bool isShadowed = light < 32 && (known.shadowed >> light & 1U) != 0;
+        if (sample && !isShadowed && (isLit || traceShadow(world, sample->from, sample->to))) {
+            L += sample->contribution;
+        }
+    }
+    return L;
+}
+
+LightComponents lightAt(const World& world, const PhotonMaps& maps, const VisiblePoint& x, std::uint32_t pass) {
+    LightComponents light;
+    light.direct = directLight(world, maps, x, pass);
+    if (maps.caustic) {
+        light.caustic = estimateRadiance(*maps.caustic, x, causticOptions(world)).radiance;
+    }
+    light.indirect =
+        world.render.photonMap.gatherRays > 0
+            ? finalGather(world, maps, x, pass)
+            : estimateRadiance(maps.global, x, globalOptions(world, kindBit(PhotonKind::Indirect))).radiance;
+    return light;
+}
+
+} // namespace
+
+RadianceEstimateOptions globalOptions(const World& world, std::uint32_t kinds) {
+    const PhotonMapSettings& settings = world.render.photonMap;
+    return {.nearest = settings.nearest,
+            .radius = world.globalRadius,
+            .kinds = kinds,
+            .maxDepth = world.render.maxDepth,
+            .filter = settings.filter,
+            .coneConstant = settings.coneConstant};
+}
+
+RadianceEstimateOptions causticOptions(const World& world) {
+    const PhotonMapSettings& settings = world.render.photonMap;
+    return {.nearest = settings.causticNearest,
+            .radius = world.causticRadius,
+            .kinds = kindBit(PhotonKind::Caustic),
+            .maxDepth = world.render.maxDepth,
+            .filter = settings.causticFilter,
+            .coneConstant = settings.coneConstant,
+            .maxChange = settings.differentialChecking ? 0.5 : 0};
+}
+
+LightComponents& LightComponents::operator+=(const LightComponents& other) {
+    emitted += other.emitted;
+    direct += other.direct;
+    caustic += other.caustic;
+    indirect += other.indirect;
+    return *this;
+}
+
+PhotonMaps buildPhotonMaps(const World& world) {
+    const PhotonMapSettings& settings = world.render.photonMap;
+    PhotonMaps maps{.global = traceGlobalMap(world), .caustic = traceCausticMap(world), .shadow = {}, .irradiance = {}};
+    if (settings.shadowPhotons > 0) {
+        maps.shadow = PhotonMap(castShadowPhotons(world, 0));
+    }
+    if (settings.gatherRays > 0 && settings.precomputedIrradiance) {
+        maps.irradiance = computeIrradiance(world, maps.global);
+    }
+    return maps;
+}
+
+LightComponents photonMapRadiance(const World& world, const PhotonMaps& maps, std::uint32_t pixel, std::uint32_t pass) {
+    LightComponents light;
+    followPath(world, generateCameraRay(world, pixel, pass), beginCameraPath(world, pixel, pass), 1, pass,
+               [&](const Shading& shading) {
+                   light.emitted += shading.emitted;
+                   if (shading.rough) {
+                       light.direct += directRoughLight(world, *shading.rough, pass);
+                   }
+                   if (shading.visible) {
+                       light += lightAt(world, maps, *shading.visible, pass);
+                   }
+               });
+    return light;
+}
+
+} // namespace hyalite::reference

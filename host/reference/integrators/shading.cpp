@@ -1,0 +1,216 @@
+// Specular paths from the camera [Whitted80]; radiance is scaled by the square of the relative index when it crosses
+// a boundary, so that L / n^2 is conserved.
+#include "reference/integrators/shading.h"
+
+#include "reference/bsdf/bsdf.h"
+#include "reference/bsdf/materials.h"
+#include "reference/bsdf/medium.h"
+#include "reference/lib/sampling.h"
+#include "reference/textures/texture.h"
+#include "scene/model/render_seed.h"
+#include "shaders/shared/limits.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace hyalite::reference {
+
+namespace {
+
+NextRay follow(const Surface& surface, const LobeSample& sample, const CameraPath& path, std::uint32_t samplerSeed) {
+    const Material* beyond = surface.front ? surface.material : nullptr; // glass is entered at its front
+    return {.ray = {.origin = leave(surface, sample.direction), .direction = sample.direction},
+            .path = {.beta = path.beta * sample.weight,
+                     .samplerSeed = samplerSeed,
+                     .medium = sample.through ? beyond : path.medium,
+                     .pdfW = sample.pdfW}};
+}
+
+// Both ways of a camera path at smooth glass: [0] reflected with weight F, [1] refracted with (1 - F) (n_i / n_t)^2.
+std::array<std::optional<NextRay>, 2> splitAtDielectric(const Surface& surface, const glm::dvec3& direction, double eta,
+                                                        const CameraPath& path) {
+    const double F = fresnelDielectric(incidentCosine(direction, surface.normal), eta);
+    std::array<std::optional<NextRay>, 2> next;
+    next[0] = follow(surface, {.direction = reflect(direction, surface.normal), .weight = glm::dvec3(F)}, path,
+                     shared::deriveSequence(path.samplerSeed, 1));
+    if (const auto refracted = refract(direction, surface.normal, eta)) {
+        next[1] = follow(surface, {.direction = *refracted, .weight = glm::dvec3((1 - F) * eta * eta), .through = true},
+                         path, shared::deriveSequence(path.samplerSeed, 2));
+    }
+    return next;
+}
+
+// A path inside glass, reflected there, after the next face: that of a ball, or of a pane for all shapes else. The way
+// to it is `chord` long [m], as the last one was.
+std::optional<Ray> afterNextFace(const Surface& surface, const glm::dvec3& reflection, double chord, bool isBall,
+                                 double eta) {
+    const glm::dvec3 normal =
+        isBall ? surface.normal - 2 * glm::dot(surface.normal, reflection) * reflection : -surface.normal;
+    const auto refracted = refract(reflection, normal, eta);
+    return refracted ? std::optional(Ray{.origin = surface.position + chord * reflection, .direction = *refracted})
+                     : std::nullopt;
+}
+
+// With which probability a path takes the reflection at smooth glass: Fresnel's, but kShareToLight at least for the one
+// way that leads to a lamp.
+double reflectionProbability(const World& world, const Surface& surface, const Ray& ray, const Hit& hit, double eta,
+                             double F) {
+    if (F == 0 || F == 1 || world.lights.size() > shared::kMostLightsSought) {
+        return F;
+    }
+    const auto leadsToLamp = [&](const std::optional<Ray>& way) {
+        return way && std::ranges::any_of(world.lights, [&](const Light& light) {
+                   const auto* lamp = std::get_if<AreaLight>(&light.shape);
+                   return lamp != nullptr && looksAt(*lamp, way->origin, way->direction);
+               });
+    };
+    constexpr double share{shared::kShareToLight};
+    const glm::dvec3 reflection = reflect(ray.direction, surface.normal);
+    if (surface.front) {
+        return leadsToLamp(Ray{.origin = surface.position, .direction = reflection}) ? std::max(F, share) : F;
+    }
+    const bool isBall = std::holds_alternative<Sphere>(world.objects[hit.object].shape);
+    const bool reflects = leadsToLamp(afterNextFace(surface, reflection, hit.t, isBall, eta));
+    const glm::dvec3 refraction = refract(ray.direction, surface.normal, eta).value();
+    const bool refracts = leadsToLamp(Ray{.origin = surface.position, .direction = refraction});
+    if (reflects == refracts) {
+        return F;
+    }
+    return reflects ? std::max(F, share) : std::min(F, 1 - share);
+}
+
+// One way of a camera path at smooth glass, weighted by what its probability is not.
+NextRay pickAtDielectric(const World& world, const Surface& surface, const Ray& ray, const Hit& hit, double eta,
+                         const CameraPath& path, double choice) {
+    const double F = fresnelDielectric(incidentCosine(ray.direction, surface.normal), eta);
+    const double probability = reflectionProbability(world, surface, ray, hit, eta, F);
+    if (choice < probability) {
+        const glm::dvec3 reflection = reflect(ray.direction, surface.normal);
+        return follow(surface, {.direction = reflection, .weight = glm::dvec3(F / probability)}, path,
+                      path.samplerSeed);
+    }
+    return follow(surface,
+                  {.direction = refract(ray.direction, surface.normal, eta).value(),
+                   .weight = glm::dvec3((1 - F) / (1 - probability) * eta * eta),
+                   .through = true},
+                  path, path.samplerSeed);
+}
+
+void dropLightweights(std::array<std::optional<NextRay>, 2>& next, double minWeight) {
+    for (std::optional<NextRay>& ray : next) {
+        if (ray && std::max({ray->path.beta.x, ray->path.beta.y, ray->path.beta.z}) < minWeight) {
+            ray.reset();
+        }
+    }
+}
+
+// Weight of the light that a path finds by chance. Where it has left a rough surface, the lights were sampled there
+// too; the normal is the light's where the ray meets it, `distance` away [m].
+double emissionWeight(const World& world, const Light& light, const CameraPath& path, const Ray& ray, double distance,
+                      const glm::dvec3& normal) {
+    if (path.pdfW == 0) {
+        return 1;
+    }
+    const double pmf = world.render.integrator == Integrator::Whitted ? 1 : light.pmf;
+    return powerHeuristic(path.pdfW, pmf * lightPdf(light, ray.origin, ray.direction, distance, normal));
+}
+
+// Leaves by the lobe; `path` has the probability of that divided out.
+void leaveByLobe(Shading& shading, const Surface& surface, const Ray& ray, const Lobe& lobe, const CameraPath& path,
+                 std::uint32_t depth, std::uint32_t pass, double choice) {
+    glm::dvec2 uv(0);
+    if (lobe.alpha > 0) {
+        uv = sampleUnitSquare(shared::pathSampler(path.samplerSeed, pass), shared::cameraBounce(depth - 1));
+        shading.rough = RoughPoint{.surface = surface,
+                                   .lobe = lobe,
+                                   .wo = -ray.direction,
+                                   .beta = path.beta,
+                                   .depth = depth,
+                                   .samplerSeed = path.samplerSeed};
+    }
+    const ShadingNormals normals{surface.normal, surface.geometricNormal};
+    if (const auto sample = sampleLobe(lobe, normals, -ray.direction, uv, choice, Transport::Radiance)) {
+        shading.next[0] = follow(surface, *sample, path, path.samplerSeed);
+    }
+}
+
+VisiblePoint visibleAt(const Surface& surface, const DiffusePart& diffuse, const CameraPath& path, std::uint32_t depth,
+                       double cosOut) {
+    const glm::dvec3 f = diffuseReflectance(diffuse, cosOut, 1) / std::numbers::pi; // straight in, through any coat
+    return {.position = surface.position,
+            .shadowOrigin = leave(surface, surface.geometricNormal),
+            .normal = surface.normal,
+            .geometricNormal = surface.geometricNormal,
+            .f = path.beta * f,
+            .depth = depth,
+            .samplerSeed = path.samplerSeed,
+            .coated = diffuse.coated,
+            .quad = surface.quad};
+}
+
+} // namespace
+
+CameraPath beginCameraPath(const World& world, std::uint32_t pixel, std::uint32_t pass) {
+    return {.beta = glm::dvec3(1),
+            .samplerSeed = shared::cameraSampler(renderSeed(world.render), pass, pixel).seed,
+            .medium = nullptr};
+}
+
+Shading shadeMiss(const World& world, const Ray& ray, const CameraPath& path) {
+    Shading shading;
+    const auto light = std::ranges::find_if(
+        world.lights, [](const Light& candidate) { return std::holds_alternative<SurroundingLight>(candidate.shape); });
+    if (light != world.lights.end()) {
+        shading.emitted = path.beta * environmentRadiance(world, ray.direction) *
+                          emissionWeight(world, *light, path, ray, kBeyond, glm::dvec3(0));
+    }
+    return shading;
+}
+
+Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const CameraPath& started, std::uint32_t depth,
+                     std::uint32_t pass) {
+    const Surface surface = evaluateSurface(world, ray, hit);
+    CameraPath path = started;
+    path.beta *= transmittance(path.medium, hit.t);
+    Shading shading{.emitted = path.beta * surface.emission, .visible = {}, .rough = {}, .next = {}};
+    const auto light = std::ranges::find(world.lights, std::optional(hit.object), &Light::object);
+    if (light != world.lights.end()) {
+        shading.emitted *= emissionWeight(world, *light, path, ray, hit.t, surface.geometricNormal);
+    }
+    if (surface.material == nullptr) {
+        return shading;
+    }
+    const MaterialModel model = texturedModel(world, surface);
+    const bool whitted = world.render.integrator == Integrator::Whitted;
+    const std::optional<DiffusePart> diffuse = diffusePart(model);
+    const std::optional<Lobe> lobe = lobeOf(model, surface.front);
+    const double cosOut = incidentCosine(ray.direction, surface.normal);
+    const double probability = lobeProbability(lobe, diffuse, cosOut);
+    const shared::Sampler sampler = shared::pathSampler(path.samplerSeed, pass);
+    const double choice = sampleUnitSquare(sampler, shared::cameraScatter(depth - 1)).x;
+    const bool both = whitted && diffuse && lobe;
+
+    CameraPath onward = path;
+    if (diffuse && (both || choice >= probability)) {
+        onward.beta = path.beta / (both ? 1 : 1 - probability);
+        shading.visible = visibleAt(surface, *diffuse, onward, depth, cosOut);
+    }
+    // ppm limits the segments of the path, whitted the bounces between them.
+    const std::uint32_t maxSegments = world.render.maxDepth + (whitted ? 1 : 0);
+    if (lobe && depth < maxSegments && (both || choice < probability)) {
+        onward.beta = path.beta / (both ? 1 : probability);
+        if (lobe->alpha > 0 || !std::holds_alternative<Dielectric>(lobe->model)) {
+            leaveByLobe(shading, surface, ray, *lobe, onward, depth, pass, choice);
+        } else if (whitted) {
+            shading.next = splitAtDielectric(surface, ray.direction, lobe->eta, path);
+        } else {
+            shading.next[0] = pickAtDielectric(world, surface, ray, hit, lobe->eta, path, choice);
+        }
+    }
+    if (whitted) {
+        dropLightweights(shading.next, world.render.minWeight);
+    }
+    return shading;
+}
+
+} // namespace hyalite::reference

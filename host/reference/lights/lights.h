@@ -1,0 +1,153 @@
+// The lights of a scene: how likely each is picked, where light starts, and what arrives at a surface.
+#pragma once
+
+#include "reference/lib/sampling.h"
+#include "reference/lights/area_lights.h"
+#include "reference/lights/environment.h"
+#include "reference/shapes/geometry.h"
+#include "scene/model/bounds.h"
+#include "scene/model/scene.h"
+
+#include <cstdint>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace hyalite::reference {
+
+struct World;
+struct PhotonPass;
+
+// Light of one direction, from a disc across it.
+struct ParallelLight {
+    glm::dvec3 direction;      // unit, where the light goes
+    glm::dvec3 irradiance;     // of a surface that faces it [W/m^2]
+    bool isEverywhere = false; // lights what the disc does not cover too, and comes from beyond the scene
+    glm::dvec3 center{0};      // of the disc [m]
+    double radius = 0;         // of the disc [m]
+};
+
+// Light from beyond the scene, and the sphere that its photons are aimed at.
+struct SurroundingLight {
+    EnvironmentLight map;
+    LightSphere sphere;
+};
+
+struct Light {
+    std::variant<PointLight, SpotLight, ParallelLight, SurroundingLight, AreaLight> shape;
+    glm::dvec3 power; // flux [W]: 4 pi I of a point, pi A L of a surface; the others: see makeLights
+    double share = 1; // weight of the power in the pmf
+    double pmf = 0;   // probability that a photon or a shadow ray picks this light
+    double cdf = 0;   // sum of the pmf up to and including this light; 1 for the last
+    std::optional<std::uint32_t> object = std::nullopt; // of the scene, that emits; none: no object does
+};
+
+// The environment, points, spots and directional lights in the scene's order, then emitting objects in theirs; pmf in
+// proportion to the mean of the flux's channels times the share (all 0 where nothing emits). The flux of parallel light
+// is that through its disc, that of the environment what passes a disc across each direction as wide as lightSphere.
+// Throws Error(BadInput) at an emitting object of another shape than quad, disk, sphere and mesh.
+[[nodiscard]] std::vector<Light> makeLights(const Scene& scene);
+
+// The first light with x < cdf; x in [0, 1). Some light must emit.
+[[nodiscard]] std::uint32_t chooseLight(const std::vector<Light>& lights, double x);
+
+// Where a camera path first meets a diffuse surface: there the lights are sampled and the photons are gathered.
+struct VisiblePoint {
+    glm::dvec3 position;        // world [m]
+    glm::dvec3 shadowOrigin;    // the same, moved off the surface to the side the path came from [m]
+    glm::dvec3 normal;          // unit, for shading, on that side
+    glm::dvec3 geometricNormal; // unit, on that side
+    glm::dvec3 f;               // path throughput times the BRDF [1/sr]
+    std::uint32_t depth = 0;    // segments from the camera to here
+    std::uint32_t samplerSeed = 0;
+    bool coated = false;        // f is to be multiplied by coatTransmission of the angle of incidence
+    const Quad* quad = nullptr; // of the world: the parallelogram that this is on; nullptr: another shape
+};
+
+// Ends of shadow rays to lights beyond the scene are so far away [m].
+inline constexpr double kBeyond = 1e30;
+
+// Which light is sampled, with which numbers: the light named, with a sequence of its own (whitted sums over all of
+// them), or one picked by the pmf (ppm).
+struct LightChoice {
+    std::uint32_t depth = 0; // of the vertex that is lit
+    std::uint32_t samplerSeed = 0;
+    std::uint32_t pass = 0;
+    std::optional<std::uint32_t> light = std::nullopt;
+    double shift = 0; // of the numbers: see sampleUnitSquare
+};
+
+// What the chosen light sends to a receiver from the place that is chosen on it.
+struct LightArrival {
+    glm::dvec3 direction;  // unit, to that place
+    glm::dvec3 shadowEnd;  // the place, moved off the light [m]
+    glm::dvec3 irradiance; // of a surface that faces it, density of the choice divided out [W/m^2]
+    double pdfW = 0;       // that density, the light's pmf in it [1/sr]; 0: no ray can hit the light
+};
+[[nodiscard]] LightArrival sampleArrival(const World& world, const glm::dvec3& receiver, const LightChoice& choice);
+
+// One shadow ray: its two ends, moved off their surfaces, and the radiance it brings if nothing stands between.
+struct LightSample {
+    glm::dvec3 from;         // world [m]
+    glm::dvec3 to;           // world [m]
+    glm::dvec3 contribution; // [W/(m^2 sr)]
+    double cosine = 0;       // of the angle to the surface's normal
+    double pdfW = 0;         // density of the choice [1/sr]; 0: no ray can hit the light
+};
+
+// Samples one light, the one named or one picked, at a visible point in a pass; `shift`: see LightChoice. None: the
+// light cannot reach that side.
+[[nodiscard]] std::optional<LightSample> sampleLight(const World& world, const VisiblePoint& x, std::uint32_t pass,
+                                                     std::optional<std::uint32_t> light, double shift = 0);
+
+// Radiance [W/(m^2 sr)] from the unit direction, of rays that hit nothing.
+[[nodiscard]] glm::dvec3 environmentRadiance(const World& world, const glm::dvec3& direction);
+
+// Density [1/sr] with which sampleLight chooses the unit `direction` from a receiver that sees the light there, at this
+// distance and with this normal (neither matters where it comes from beyond the scene); 0 where it chooses none, at
+// lights that no ray can hit. The light's pmf is not in it.
+[[nodiscard]] double lightPdf(const Light& light, const glm::dvec3& receiver, const glm::dvec3& direction,
+                              double distance, const glm::dvec3& lightNormal);
+
+// How a photon leaves a light. The density of the whole ray is that of the origin times that of the direction given the
+// origin; where light is parallel or comes from beyond the scene, of the direction times that of the origin.
+struct LightRay {
+    glm::dvec3 origin;       // world, on the light [m]
+    glm::dvec3 direction;    // unit
+    glm::dvec3 normal{0};    // unit, of the light at the origin; zero where it has no surface
+    double offset = 0;       // along the normal: the ray starts so far off the light [m]
+    glm::dvec3 power{0};     // flux [W] of the light if all its photons were like this one
+    double pdfDirection = 0; // [1/sr], given the origin; 0: the origin was chosen for the direction
+    double pdfOrigin = 0;    // [1/m^2] across the direction and given it; 0: the direction was chosen for the origin
+};
+
+// Where a ray of the light's starts [m].
+[[nodiscard]] inline glm::dvec3 startOf(const LightRay& ray) {
+    return ray.origin + ray.offset * ray.normal;
+}
+
+// A ray of the light's photons, with a density in proportion to the flux.
+[[nodiscard]] LightRay emitFrom(const Light& light, glm::dvec2 uOrigin, glm::dvec2 uDirection);
+
+// Flux [W] of the light if all that it emits were like its rays in `direction`: on average over emitFrom, its power.
+[[nodiscard]] glm::dvec3 rayPower(const Light& light, const glm::dvec3& direction);
+
+// Density [1/sr] with which emitFrom would send `direction` from a point with this normal; 0 where it never would, and
+// for parallel light.
+[[nodiscard]] double emissionDensity(const Light& light, const glm::dvec3& normal, const glm::dvec3& direction);
+
+// Density [1/m^2], across `direction`, with which emitFrom starts its rays of this direction on the line through
+// `point`; 0 for lights that choose the origin first. Of parallel light the direction must be its own.
+[[nodiscard]] double originDensity(const Light& light, const glm::dvec3& point, const glm::dvec3& direction);
+
+struct Emission {
+    Ray ray;
+    glm::dvec3 power; // flux [W], light pmf and photon count divided out
+    std::uint32_t light = 0;
+};
+
+// Emission of photon `photon` of a pass, from a light picked by the pmf. Some light must emit. `shift`: see
+// sampleUnitSquare.
+[[nodiscard]] Emission emitPhoton(const World& world, std::uint32_t photon, const PhotonPass& pass, double shift = 0);
+
+} // namespace hyalite::reference

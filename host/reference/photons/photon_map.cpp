@@ -1,0 +1,179 @@
+// The map is a kd-tree of the nanoflann library over the photons' positions.
+#include "reference/photons/photon_map.h"
+
+#include "reference/bsdf/materials.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <nanoflann.hpp>
+#include <numbers>
+#include <set>
+#include <utility>
+
+namespace hyalite::reference {
+
+namespace {
+
+using std::numbers::pi;
+
+struct PhotonCloud { // the interface nanoflann asks of its points
+    std::vector<Photon> photons;
+
+    [[nodiscard]] std::size_t kdtree_get_point_count() const { return photons.size(); }
+    [[nodiscard]] double kdtree_get_pt(std::size_t index, std::size_t axis) const {
+        return photons[index].position[static_cast<int>(axis)];
+    }
+    template <typename Box>
+    bool kdtree_get_bbox(Box& /*box*/) const {
+        return false;
+    } // let the tree compute it
+};
+
+// Collects candidates from nanoflann's walk; the library's own result sets changed between its versions.
+struct Candidates {
+    using DistanceType = double; // asked for from version 1.7 on
+    using IndexType = std::uint32_t;
+
+    double worst; // squared distance [m^2]
+    std::vector<std::uint32_t>& indices;
+
+    [[nodiscard]] std::size_t size() const { return indices.size(); }
+    [[nodiscard]] static bool full() { return true; }
+    [[nodiscard]] double worstDist() const { return worst; }
+    bool addPoint(double /*distance2*/, std::uint32_t index) {
+        indices.push_back(index);
+        return true;
+    }
+    void sort() { std::sort(indices.begin(), indices.end()); }
+};
+
+// Keeps the nearest of the photons that are accepted, in order.
+struct NearestCandidates {
+    using DistanceType = double;
+    using IndexType = std::uint32_t;
+
+    const glm::dvec3& x;
+    std::size_t count;
+    double reach2; // squared distance of the farthest that is of interest [m^2]
+    const std::vector<Photon>& photons;
+    const std::function<bool(const Photon&)>& accept;
+    std::set<std::pair<double, std::uint32_t>> found;
+
+    [[nodiscard]] std::size_t size() const { return found.size(); }
+    [[nodiscard]] static bool full() { return true; }
+    // The walk sums squared distances step by step and rounds, and does not look at what is just as far: let it look a
+    // little farther.
+    [[nodiscard]] double worstDist() const {
+        const double worst = found.size() < count ? reach2 : found.rbegin()->first;
+        return worst * (1 + 1e-12) + std::numeric_limits<double>::min();
+    }
+    bool addPoint(double /*distance2*/, std::uint32_t index) {
+        const glm::dvec3 way = photons[index].position - x;
+        const double distance2 = glm::dot(way, way);
+        if (distance2 <= reach2 && accept(photons[index])) {
+            found.emplace(distance2, index);
+            if (found.size() > count) {
+                found.erase(std::prev(found.end()));
+            }
+        }
+        return true;
+    }
+    void sort() {} // the set is
+};
+
+using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PhotonCloud>, PhotonCloud, 3,
+                                                  std::uint32_t>;
+
+} // namespace
+
+struct PhotonMap::Tree {
+    explicit Tree(std::vector<Photon> photons)
+        : cloud{std::move(photons)}, index(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(16)) {
+        index.buildIndex();
+    }
+
+    PhotonCloud cloud;
+    Index index; // refers to the cloud
+};
+
+PhotonMap::PhotonMap(std::vector<Photon> photons) : tree_(std::make_unique<Tree>(std::move(photons))) {}
+PhotonMap::~PhotonMap() = default;
+PhotonMap::PhotonMap(PhotonMap&&) noexcept = default;
+PhotonMap& PhotonMap::operator=(PhotonMap&&) noexcept = default;
+
+const std::vector<Photon>& PhotonMap::photons() const {
+    return tree_->cloud.photons;
+}
+
+std::vector<std::uint32_t> PhotonMap::near(const glm::dvec3& x, double radius) const {
+    // The tree sums squared distances step by step and rounds: ask a little wider, then apply the definition.
+    std::vector<std::uint32_t> indices;
+    Candidates candidates{.worst = radius * radius * (1 + 1e-12), .indices = indices};
+    tree_->index.findNeighbors(candidates, &x.x, {});
+    std::erase_if(indices, [&](std::uint32_t i) {
+        const glm::dvec3 way = photons()[i].position - x;
+        return glm::dot(way, way) > radius * radius;
+    });
+    std::sort(indices.begin(), indices.end());
+    return indices;
+}
+
+std::vector<PhotonMap::Neighbour> PhotonMap::nearest(const glm::dvec3& x, std::size_t count, double radius,
+                                                     const std::function<bool(const Photon&)>& accept) const {
+    NearestCandidates candidates{
+        .x = x, .count = count, .reach2 = radius * radius, .photons = photons(), .accept = accept, .found = {}};
+    if (count > 0) {
+        tree_->index.findNeighbors(candidates, &x.x, {});
+    }
+    std::vector<Neighbour> neighbours;
+    for (const auto& [distance2, index] : candidates.found) {
+        neighbours.push_back({distance2, index});
+    }
+    return neighbours;
+}
+
+double discOnQuad(const Quad& quad, const glm::dvec3& center, double radius) {
+    const glm::dvec3 normal = glm::normalize(glm::cross(quad.edge0, quad.edge1));
+    const std::array<glm::dvec3, 4> corners{quad.corner, quad.corner + quad.edge0,
+                                            quad.corner + quad.edge0 + quad.edge1, quad.corner + quad.edge1};
+    // In polar coordinates about the centre the area is half the integral of min(rho, r)^2 over the angle, side by
+    // side. At the angle phi from the perpendicular, h long, a side has rho = h / cos(phi), and h^2 / cos^2 is the
+    // derivative of h^2 tan; it lies within the disc where |phi| < acos(h / r).
+    double area = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const glm::dvec3 a = corners[i] - center;
+        const glm::dvec3 b = corners[(i + 1) % 4] - center;
+        const glm::dvec3 side = glm::normalize(b - a);
+        const double h = glm::dot(glm::cross(a, side), normal); // negative: seen from beyond the side
+        const double within = std::abs(h) < radius ? std::acos(std::abs(h) / radius) : 0;
+        const auto integral = [&](const glm::dvec3& end) {
+            const double phi = std::atan2(glm::dot(end, side), std::abs(h));
+            const double inDisc = std::clamp(phi, -within, within);
+            return (h * h * std::tan(inDisc) + radius * radius * (phi - inDisc)) / 2;
+        };
+        area += std::copysign(integral(b) - integral(a), h);
+    }
+    const double whole = pi * radius * radius;
+    return std::clamp(area, whole / 1024, whole);
+}
+
+glm::dvec3 gatherRadiance(const PhotonMap& map, const VisiblePoint& x, double radius, std::uint32_t maxDepth) {
+    glm::dvec3 power(0);
+    for (const std::uint32_t index : map.near(x.position, radius)) {
+        const Photon& photon = map.photons()[index];
+        const bool inPlane = std::abs(glm::dot(photon.position - x.position, x.geometricNormal)) <= radius / 4;
+        const bool sameSurface = glm::dot(photon.normal, x.normal) > 0.5;
+        const bool sameSide = glm::dot(photon.direction, x.normal) > 0;
+        if (inPlane && sameSurface && sameSide && photon.depth + x.depth <= maxDepth) {
+            const double cosIn = glm::dot(photon.direction, x.normal);
+            power += photon.power * (x.coated ? coatTransmission(cosIn) : 1);
+        }
+    }
+    return x.f * power / (x.quad != nullptr ? discOnQuad(*x.quad, x.position, radius) : pi * radius * radius);
+}
+
+} // namespace hyalite::reference

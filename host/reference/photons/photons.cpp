@@ -1,0 +1,135 @@
+// The photon pass: emission, flight, scattering.
+#include "reference/photons/photons.h"
+
+#include "base/parallel.h"
+#include "reference/bsdf/bsdf.h"
+#include "reference/bsdf/materials.h"
+#include "reference/bsdf/medium.h"
+#include "reference/lib/sampling.h"
+#include "reference/lights/lights.h"
+#include "reference/textures/texture.h"
+#include "scene/model/render_seed.h"
+
+#include <algorithm>
+
+namespace hyalite::reference {
+
+namespace {
+
+bool isWanted(PhotonKind kind, const PhotonPass& pass) {
+    return (pass.kinds & kindBit(kind)) != 0;
+}
+
+// Survives with probability p = the largest channel, at most 1, and then carries power * reflected / p: right on
+// average.
+bool survives(const glm::dvec3& reflected, double x, glm::dvec3& power) {
+    const double p = std::min(1.0, std::max({reflected.x, reflected.y, reflected.z}));
+    if (x >= p) {
+        return false;
+    }
+    power *= reflected / p;
+    return true;
+}
+
+void tracePhoton(const World& world, const Ray& ray, const PhotonPath& path, std::uint32_t depth,
+                 const PhotonPass& pass, std::vector<Photon>& photons) {
+    const std::optional<Hit> hit = traceClosest(world, ray);
+    if (!hit) {
+        return;
+    }
+    const PhotonScatter scatter = scatterPhoton(world, ray, *hit, path, depth, pass);
+    if (scatter.stored) {
+        photons.push_back(*scatter.stored);
+    }
+    if (scatter.next) {
+        tracePhoton(world, *scatter.next, scatter.path, depth + 1, pass, photons);
+    }
+}
+
+} // namespace
+
+PhotonPass progressivePass(const World& world, std::uint32_t pass) {
+    return {.sequence = shared::photonSequence(renderSeed(world.render), shared::kGlobalPhotons, pass),
+            .count = world.render.photons,
+            .kinds = kindBit(PhotonKind::Indirect) | kindBit(PhotonKind::Caustic)};
+}
+
+PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, const PhotonPath& started,
+                            std::uint32_t depth, const PhotonPass& pass) {
+    const Surface surface = evaluateSurface(world, ray, hit);
+    PhotonPath path = started;
+    path.power *= transmittance(path.medium, hit.t);
+    PhotonScatter scatter{.stored = {}, .next = {}, .path = path};
+    if (surface.material == nullptr) {
+        return scatter;
+    }
+    const MaterialModel model = texturedModel(world, surface);
+    const std::optional<DiffusePart> diffuse = diffusePart(model);
+    const std::optional<Lobe> lobe = lobeOf(model, surface.front);
+    if (diffuse && isWanted(path.kind, pass)) {
+        scatter.stored = Photon{.position = surface.position,
+                                .direction = -ray.direction,
+                                .normal = surface.normal,
+                                .power = path.power,
+                                .photon = path.photon,
+                                .depth = depth,
+                                .light = path.light,
+                                .kind = path.kind};
+    }
+    // A photon at depth j serves camera paths of depth k >= 1 with j + k <= maxDepth.
+    if (depth + 1 >= world.render.maxDepth) {
+        return scatter;
+    }
+    const shared::Sampler sampler = shared::photonSampler(pass.sequence, path.photon);
+    const glm::dvec2 xy = sampleUnitSquare(sampler, shared::photonScatter(depth - 1));
+    const glm::dvec2 uv = sampleUnitSquare(sampler, shared::photonBounce(depth - 1));
+    const double cosIn = incidentCosine(ray.direction, surface.normal);
+    const double probability = lobeProbability(lobe, diffuse, cosIn);
+    std::optional<LobeSample> sample;
+    if (xy.y < probability) {
+        const ShadingNormals normals{surface.normal, surface.geometricNormal};
+        sample = sampleLobe(*lobe, normals, -ray.direction, uv, xy.y, Transport::Flux);
+        if (path.kind == PhotonKind::Direct) { // may become a caustic
+            scatter.path.kind = PhotonKind::Caustic;
+        }
+    } else if (isWanted(PhotonKind::Indirect, pass)) {
+        const glm::dvec3 direction = cosineHemisphere(uv, surface.normal);
+        const glm::dvec3 weight = diffuseReflectance(*diffuse, cosIn, glm::dot(direction, surface.normal));
+        sample = LobeSample{.direction = direction, .weight = weight};
+        scatter.path.kind = PhotonKind::Indirect;
+    }
+    if (sample &&
+        survives(sample->weight / (xy.y < probability ? probability : 1 - probability), xy.x, scatter.path.power)) {
+        scatter.next = Ray{.origin = leave(surface, sample->direction), .direction = sample->direction};
+        if (sample->through) {
+            scatter.path.medium = surface.front ? surface.material : nullptr;
+        }
+    }
+    return scatter;
+}
+
+std::vector<Photon> tracePhotons(const World& world, const PhotonPass& pass) {
+    // Each block of photons fills its own list: joined in order, they do not depend on the threads.
+    constexpr std::size_t kBlock = 1024;
+    const std::size_t count = pass.count;
+    std::vector<std::vector<Photon>> blocks((count + kBlock - 1) / kBlock);
+    parallelFor(count, kBlock, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto photon = static_cast<std::uint32_t>(i);
+            const Emission emission = emitPhoton(world, photon, pass);
+            tracePhoton(world, emission.ray, {.power = emission.power, .photon = photon, .light = emission.light}, 1,
+                        pass, blocks[begin / kBlock]);
+        }
+    });
+    return joined(blocks);
+}
+
+std::vector<Photon> joined(const std::vector<std::vector<Photon>>& blocks) {
+    std::vector<Photon> photons;
+    for (const std::vector<Photon>& block : blocks) {
+        photons.insert(photons.end(), block.begin(), block.end());
+    }
+    return photons;
+}
+
+} // namespace hyalite::reference

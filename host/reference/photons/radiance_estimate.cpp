@@ -1,0 +1,138 @@
+#include "reference/photons/radiance_estimate.h"
+
+#include "reference/bsdf/materials.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace hyalite::reference {
+
+namespace {
+
+// The Gaussian of [Jensen01]
+constexpr double kAlpha = 0.918;
+constexpr double kBeta = 1.953;
+
+constexpr double kLeastDisc = 1.0 / 1024; // [largest radius]
+constexpr std::size_t kFirstCheck = 8;    // photons
+
+// A photon that was found, as the estimate sees it.
+struct Found {
+    double distance = 0; // [m]
+    double height = 0;   // off the tangent plane [m]
+    glm::dvec3 power{0}; // of which a coat lets in [W]
+};
+
+struct Disc {
+    double radius = 0;     // [m]
+    std::size_t count = 0; // photons nearer than that
+};
+
+std::vector<Found> findPhotons(const PhotonMap& map, const VisiblePoint& x, const RadianceEstimateOptions& options) {
+    const auto counts = [&](const Photon& photon) {
+        return glm::dot(photon.normal, x.normal) > 0.5 && glm::dot(photon.direction, x.normal) > 0 &&
+               (options.kinds >> static_cast<std::uint32_t>(photon.kind) & 1U) != 0 &&
+               photon.depth + x.depth <= options.maxDepth;
+    };
+    std::vector<Found> found;
+    for (const auto& [distance2, index] : map.nearest(x.position, options.nearest, options.radius, counts)) {
+        const Photon& photon = map.photons()[index];
+        const double entering = x.coated ? coatTransmission(glm::dot(photon.direction, x.normal)) : 1;
+        found.push_back({.distance = std::sqrt(distance2),
+                         .height = std::abs(glm::dot(photon.position - x.position, x.geometricNormal)),
+                         .power = photon.power * entering});
+    }
+    return found;
+}
+
+// The discs that are compared, and the density in each.
+struct Growth {
+    std::vector<Disc> discs;
+    std::vector<double> densities;
+};
+
+Growth grow(const std::vector<Found>& found, const Disc& whole, double leastRadius) {
+    Growth growth;
+    for (std::size_t count = kFirstCheck; count < whole.count; count += (count + 3) / 4) {
+        const Disc disc{.radius = std::max(found[count].distance, leastRadius), .count = count};
+        double flux = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (found[i].height <= whole.radius / 4) {
+                flux += found[i].power.x + found[i].power.y + found[i].power.z;
+            }
+        }
+        growth.discs.push_back(disc);
+        growth.densities.push_back(flux / (disc.radius * disc.radius));
+    }
+    return growth;
+}
+
+Disc stopAtEdge(const std::vector<Found>& found, const Disc& whole, const RadianceEstimateOptions& options) {
+    const auto [discs, densities] = grow(found, whole, kLeastDisc * options.radius);
+    std::size_t start = 0; // from here on the density rises, or does not
+    for (std::size_t i = 1; i < discs.size(); ++i) {
+        const bool turns = i >= 2 && (densities[i] > densities[i - 1]) != (densities[i - 1] > densities[i - 2]);
+        if (turns) {
+            start = i - 1;
+        }
+        const double change = std::abs(densities[i] - densities[start]);
+        if (densities[start] > 0 && change > options.maxChange * densities[start]) {
+            return discs[start];
+        }
+    }
+    return whole;
+}
+
+} // namespace
+
+double filterWeight(const RadianceEstimateOptions& options, double d, double r) {
+    switch (options.filter) {
+    case PhotonFilter::Cone:
+        return 1 - d / (options.coneConstant * r);
+    case PhotonFilter::Gaussian:
+        return kAlpha * (1 - (1 - std::exp(-kBeta * d * d / (2 * r * r))) / (1 - std::exp(-kBeta)));
+    case PhotonFilter::Custom: // has no twin: render() refuses it
+    case PhotonFilter::None:
+        break;
+    }
+    return 1;
+}
+
+double meanFilterWeight(const RadianceEstimateOptions& options) {
+    switch (options.filter) {
+    case PhotonFilter::Cone:
+        return 1 - 2 / (3 * options.coneConstant);
+    case PhotonFilter::Gaussian: {
+        // With u = d^2 / r^2, which is even on [0, 1] over a disc
+        const double meanExponential = 2 / kBeta * (1 - std::exp(-kBeta / 2));
+        return kAlpha * (1 - (1 - meanExponential) / (1 - std::exp(-kBeta)));
+    }
+    case PhotonFilter::Custom:
+    case PhotonFilter::None:
+        break;
+    }
+    return 1;
+}
+
+RadianceEstimate estimateRadiance(const PhotonMap& map, const VisiblePoint& x, const RadianceEstimateOptions& options) {
+    const std::vector<Found> found = findPhotons(map, x, options);
+    Disc disc{.radius = options.radius, .count = found.size()};
+    if (found.size() == options.nearest) {
+        disc = {.radius = std::max(found.back().distance, kLeastDisc * options.radius), .count = found.size() - 1};
+    }
+    if (options.maxChange > 0) {
+        disc = stopAtEdge(found, disc, options);
+    }
+    glm::dvec3 power(0);
+    for (std::size_t i = 0; i < disc.count; ++i) {
+        if (found[i].height <= disc.radius / 4) {
+            power += filterWeight(options, found[i].distance, disc.radius) * found[i].power;
+        }
+    }
+    const double area = std::numbers::pi * disc.radius * disc.radius;
+    return {.radiance = x.f * power / (meanFilterWeight(options) * area), .radius = disc.radius};
+}
+
+} // namespace hyalite::reference

@@ -1,0 +1,43 @@
+// Pictures of what a scene is rather than of its light: normals, distances, lengths of paths. Each of the first pass
+// alone, as further ones would blur it.
+#pragma once
+
+#include "render/film/film.h"
+#include "render/integrators/integrator.h"
+#include "render/wavefront/camera_paths.h"
+
+namespace hyalite::render {
+
+enum class DebugQuantity {
+    Normals, // of shading, where rays meet a surface first: from [-1, 1] to [0, 1]
+    Depth,   // how far away that is [m]; 0: nothing there
+    Bounces, // segments from the camera to the first diffuse surface; 0: none was found
+};
+
+class DebugView final : public PassIntegrator {
+public:
+    [[nodiscard]] static std::vector<LayerKind> layers() { return {{"view"}}; }
+
+    // References are kept.
+    DebugView(Device& device, const Scene& scene, const DeviceScene& deviceScene, const Film& film,
+              DebugQuantity quantity);
+
+    void renderPass(std::uint32_t pass) override;
+
+private:
+    void drawSurfaces();
+    void countSegments(std::uint32_t pass);
+
+    Device& device_;
+    const DeviceScene& deviceScene_;
+    const Film& film_;
+    DebugQuantity quantity_;
+    CameraPaths cameraPaths_;
+    gpu::Kernel traceClosest_;
+    gpu::Kernel showSurface_;
+    gpu::Array<shared::VisiblePoint> visiblePoints_;
+    gpu::Array<glm::vec3> emitted_;
+    gpu::Array<glm::vec3> colors_;
+};
+
+} // namespace hyalite::render

@@ -1,0 +1,280 @@
+// The file: a header of fixed size, the identity and the names of the layers as lines of text, the ranges of passes,
+// the faults, the sums word by word (little-endian; a plane of high words that are all zero is left out), and a
+// checksum.
+#include "render/film/checkpoint.h"
+
+#include "base/error.h"
+#include "base/fnv.h"
+#include "base/input_file.h"
+#include "base/output_file.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <sstream>
+#include <type_traits>
+
+namespace hyalite::render {
+
+static_assert(std::endian::native == std::endian::little);
+
+namespace {
+
+constexpr std::array<char, 8> kMagic{'h', 'y', 'a', 'c', 'h', 'k', 'p', '1'};
+
+// More than a picture of the largest size in five layers takes.
+constexpr std::size_t kLargestFile = std::size_t{1} << 38U;
+
+constexpr std::uint32_t kMostLayers = 64;
+
+struct Header {
+    std::array<char, 8> magic = kMagic;
+    glm::uvec2 resolution{0};
+    std::uint32_t layers = 0;
+    std::uint32_t ranges = 0;
+    std::uint32_t textBytes = 0;
+    std::uint32_t unused = 0;
+    double seconds = 0;
+    Counts counts;
+};
+static_assert(std::is_trivially_copyable_v<Header>);
+static_assert(sizeof(FilmFault) == 16 && sizeof(PassRange) == 8);
+
+constexpr std::uint32_t kWordsPerColor = sizeof(shared::FilmColor) / sizeof(std::uint32_t);
+constexpr std::uint32_t kWordsPerSum = 3;
+
+// "scene NAME", "layer NAME 0|1", "set NAME=VALUE", one a line.
+std::string textOf(const Checkpoint& checkpoint) {
+    std::string text = "scene " + checkpoint.identity.scene + '\n';
+    for (const LayerKind& layer : checkpoint.film.layers) {
+        text += "layer " + layer.name + (layer.isLight ? " 1\n" : " 0\n");
+    }
+    for (const auto& [name, value] : checkpoint.identity.settings) {
+        text += "set " + name + '=' + value + '\n';
+    }
+    return text;
+}
+
+// Word `word` of the sums of a layer: three channels a pixel.
+std::vector<std::uint32_t> plane(std::span<const shared::FilmColor> sums, std::uint32_t word) {
+    std::vector<std::uint32_t> words;
+    words.reserve(3 * sums.size());
+    for (const shared::FilmColor& color : sums) {
+        const auto all = std::bit_cast<std::array<std::uint32_t, kWordsPerColor>>(color);
+        for (std::uint32_t channel = 0; channel < 3; ++channel) {
+            words.push_back(all.at(kWordsPerSum * channel + word));
+        }
+    }
+    return words;
+}
+
+// Reads a file from its beginning; what it does not hold is an error.
+class Cursor {
+public:
+    Cursor(std::span<const std::byte> content, const std::string& name) : left_(content), name_(name) {}
+
+    [[noreturn]] void fail(const std::string& what) const {
+        throw Error(ExitCode::BadInput, SourceLocation{name_}, what, "write one with hyalite render --checkpoint");
+    }
+
+    std::span<const std::byte> bytes(std::size_t count) {
+        if (count > left_.size()) {
+            fail("the checkpoint is cut off");
+        }
+        const auto taken = left_.first(count);
+        left_ = left_.subspan(count);
+        return taken;
+    }
+    template <class T>
+    std::vector<T> array(std::size_t count) {
+        const auto from = bytes(std::min(count, left_.size()) * sizeof(T)); // no overflow: one byte each at least
+        std::vector<T> values(count);
+        if (count > 0) { // nothing may not be copied from nowhere
+            std::memcpy(values.data(), from.data(), from.size());
+        }
+        return values;
+    }
+    template <class T>
+    T value() {
+        return array<T>(1).front();
+    }
+    [[nodiscard]] bool isAtEnd() const { return left_.empty(); }
+
+private:
+    std::span<const std::byte> left_;
+    const std::string& name_;
+};
+
+void readText(const std::string& text, const Cursor& cursor, Checkpoint& checkpoint) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t space = line.find(' ');
+        const std::string kind = line.substr(0, space);
+        const std::string rest = space == std::string::npos ? "" : line.substr(space + 1);
+        const std::size_t equals = rest.find('=');
+        if (kind == "scene") {
+            checkpoint.identity.scene = rest;
+        } else if (kind == "layer" && rest.size() > 2) {
+            checkpoint.film.layers.push_back({rest.substr(0, rest.size() - 2), rest.ends_with(" 1")});
+        } else if (kind == "set" && equals != std::string::npos) {
+            checkpoint.identity.settings.emplace_back(rest.substr(0, equals), rest.substr(equals + 1));
+        } else {
+            cursor.fail("the checkpoint is damaged");
+        }
+    }
+}
+
+void readSums(Cursor& cursor, std::span<shared::FilmColor> sums) {
+    const std::size_t words = 3 * sums.size();
+    const auto present = cursor.value<std::uint32_t>();
+    // The low plane is always there: without it a short file could ask for much memory
+    std::array<std::vector<std::uint32_t>, kWordsPerSum> planes;
+    for (std::uint32_t word = 0; word < kWordsPerSum; ++word) {
+        if (word == 0 || (present >> word & 1U) != 0) {
+            planes.at(word) = cursor.array<std::uint32_t>(words);
+        }
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        std::array<std::uint32_t, kWordsPerColor> all{};
+        for (std::uint32_t word = 0; word < kWordsPerSum; ++word) {
+            for (std::uint32_t channel = 0; channel < 3 && !planes.at(word).empty(); ++channel) {
+                all.at(kWordsPerSum * channel + word) = planes.at(word)[3 * i + channel];
+            }
+        }
+        sums[i] = std::bit_cast<shared::FilmColor>(all);
+    }
+}
+
+void readPasses(Cursor& cursor, std::uint32_t ranges, PassSet& passes) {
+    std::uint64_t from = 0;
+    for (const PassRange& range : cursor.array<PassRange>(ranges)) {
+        if (range.begin < from || range.end <= range.begin) {
+            cursor.fail("the checkpoint is damaged");
+        }
+        passes.add(range);
+        from = std::uint64_t{range.end} + 1; // ranges that touch are one
+    }
+}
+
+} // namespace
+
+void writeCheckpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
+    const FilmState& film = checkpoint.film;
+    const std::string text = textOf(checkpoint);
+    const std::vector<PassRange>& ranges = film.passes.ranges();
+    Header header;
+    header.resolution = film.resolution;
+    header.layers = static_cast<std::uint32_t>(film.layers.size());
+    header.ranges = static_cast<std::uint32_t>(ranges.size());
+    header.textBytes = static_cast<std::uint32_t>(text.size());
+    header.seconds = checkpoint.seconds;
+    header.counts = checkpoint.counts;
+    writeFileAtomically(path, [&](const WriteBytes& write) {
+        std::uint64_t checksum = kFnvStart;
+        const auto append = [&](std::span<const std::byte> bytes) {
+            checksum = fnv(bytes, checksum);
+            write(bytes);
+        };
+        append(std::as_bytes(std::span(&header, 1)));
+        append(std::as_bytes(std::span(text)));
+        append(std::as_bytes(std::span(ranges)));
+        append(std::as_bytes(std::span(film.faults)));
+        const std::size_t pixels = std::size_t{film.resolution.x} * film.resolution.y;
+        for (const std::vector<shared::FilmColor>& sums : film.sums) {
+            for (std::size_t layer = 0; layer < film.layers.size(); ++layer) {
+                std::array<std::vector<std::uint32_t>, kWordsPerSum> planes;
+                std::uint32_t present = 1;
+                for (std::uint32_t word = 0; word < kWordsPerSum; ++word) {
+                    planes.at(word) = plane(std::span(sums).subspan(layer * pixels, pixels), word);
+                    present |=
+                        std::ranges::all_of(planes.at(word), [](std::uint32_t w) { return w == 0; }) ? 0U : 1U << word;
+                }
+                append(std::as_bytes(std::span(&present, 1)));
+                for (std::uint32_t word = 0; word < kWordsPerSum; ++word) {
+                    if ((present >> word & 1U) != 0) {
+                        append(std::as_bytes(std::span(planes.at(word))));
+                    }
+                }
+            }
+        }
+        write(std::as_bytes(std::span(&checksum, 1)));
+    });
+}
+
+Checkpoint parseCheckpoint(std::span<const std::byte> content, const std::string& name) {
+    Cursor cursor(content, name);
+    if (content.size() < sizeof(Header) + sizeof(std::uint64_t)) {
+        cursor.fail("this is no checkpoint");
+    }
+    const auto header = cursor.value<Header>();
+    if (!std::equal(kMagic.begin(), kMagic.end() - 1, header.magic.begin())) {
+        cursor.fail("this is no checkpoint");
+    }
+    if (header.magic != kMagic) {
+        cursor.fail("this checkpoint was written by another version of the program");
+    }
+    std::uint64_t checksum = 0;
+    std::memcpy(&checksum, content.last(sizeof checksum).data(), sizeof checksum);
+    if (checksum != fnv(content.first(content.size() - sizeof checksum))) {
+        cursor.fail("the checkpoint is damaged: its checksum is another");
+    }
+    Checkpoint checkpoint;
+    checkpoint.counts = header.counts;
+    checkpoint.seconds = header.seconds;
+    FilmState& film = checkpoint.film;
+    film.resolution = header.resolution;
+    const auto text = cursor.bytes(header.textBytes);
+    readText({reinterpret_cast<const char*>(text.data()), text.size()}, cursor, checkpoint);
+    readPasses(cursor, header.ranges, film.passes);
+    const std::uint64_t pixels = std::uint64_t{film.resolution.x} * film.resolution.y;
+    if (header.layers != film.layers.size() || header.layers == 0 || header.layers > kMostLayers || pixels == 0 ||
+        header.ranges == 0 || pixels > content.size()) { // each pixel takes some bytes
+        cursor.fail("the checkpoint is damaged");
+    }
+    film.faults = cursor.array<FilmFault>(film.layers.size() * shared::kFilmFaults);
+    // The low words alone take a third of what the sums do
+    if (pixels * header.layers > content.size()) {
+        cursor.fail("the checkpoint is cut off");
+    }
+    for (std::vector<shared::FilmColor>& sums : film.sums) {
+        sums.resize(header.layers * pixels);
+        for (std::size_t layer = 0; layer < header.layers; ++layer) {
+            readSums(cursor, std::span(sums).subspan(layer * pixels, pixels));
+        }
+    }
+    static_cast<void>(cursor.bytes(sizeof checksum));
+    if (!cursor.isAtEnd()) {
+        cursor.fail("the checkpoint is damaged: it is longer than it should be");
+    }
+    return checkpoint;
+}
+
+Checkpoint readCheckpoint(const std::filesystem::path& path) {
+    const std::string file = readInputFile(path, kLargestFile, "checkpoint", SourceLocation{path.string()});
+    return parseCheckpoint(std::as_bytes(std::span(file)), path.string());
+}
+
+void addCheckpoint(Checkpoint& whole, const Checkpoint& part, const std::string& name) {
+    const auto fail = [&](const std::string& what, const std::string& hint) {
+        throw Error(ExitCode::BadInput, SourceLocation{name}, what, hint);
+    };
+    const std::string differs = difference(part.identity, whole.identity);
+    const auto sameLayer = [](const LayerKind& a, const LayerKind& b) {
+        return a.name == b.name && a.isLight == b.isLight;
+    };
+    if (!differs.empty() || part.film.resolution != whole.film.resolution ||
+        !std::ranges::equal(part.film.layers, whole.film.layers, sameLayer)) {
+        fail("these passes are of another render: " + (differs.empty() ? "its layers are others" : differs),
+             "parts that are put together have to be of one scene, with the same settings and shaders");
+    }
+    for (const PassRange& range : part.film.passes.ranges()) {
+        if (const auto common = whole.film.passes.common(range)) {
+            fail("passes " + PassSet({*common}).text() + " are there twice", "leave one of the parts out");
+        }
+    }
+    addFilm(whole.film, part.film);
+    whole.seconds += part.seconds;
+    whole.counts += part.counts;
+}
+
+} // namespace hyalite::render

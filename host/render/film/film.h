@@ -1,0 +1,63 @@
+// The sums over passes that become the picture, one per layer and camera sequence, and what they say of its error.
+#pragma once
+
+#include "image/layered_image.h"
+#include "render/film/film_state.h"
+#include "render/wavefront/device.h"
+
+#include "shaders/shared/kernel_arguments.h"
+
+#include <array>
+#include <optional>
+
+namespace hyalite::render {
+
+class Film {
+public:
+    Film(Device& device, glm::uvec2 resolution, std::vector<LayerKind> layers);
+
+    [[nodiscard]] std::uint32_t pixelCount() const { return resolution_.x * resolution_.y; }
+
+    // What is added from now on belongs to this pass, until it ends; at first, to pass 0.
+    void beginPass(std::uint32_t pass) { pass_ = pass; }
+    void endPass(); // when the device has finished
+
+    // Adds one colour per pixel to a layer; values that are no radiance are counted and left out.
+    void add(Device& device, std::size_t layer, const gpu::Array<glm::vec3>& colors) const;
+
+    [[nodiscard]] glm::uvec2 resolution() const { return resolution_; }
+    [[nodiscard]] const PassSet& passes() const { return passes_; }
+    [[nodiscard]] const std::vector<LayerKind>& layers() const { return layers_; }
+    [[nodiscard]] const std::vector<FilmFault>& faults() const { return faults_; }
+
+    // The means over the passes, of which there is one at least, and their standard error.
+    [[nodiscard]] LayeredImage resolve(Device& device) const;
+
+    // Root of the mean over pixels and channels of Var / (mean^2 + 0.01), Var the estimated variance of the mean over
+    // the passes so far; none before either camera sequence has one. The same bits every time.
+    [[nodiscard]] std::optional<double> estimateError(Device& device) const;
+
+    // Everything it holds, when the device has finished; restore() wants the same resolution and layers.
+    [[nodiscard]] FilmState state() const;
+    void restore(Device& device, const FilmState& state);
+
+private:
+    [[nodiscard]] shared::FilmArray sums(std::size_t sequence, std::size_t layer) const;
+
+    static_assert(shared::kCameraSequences == 2, "the variance is estimated from two means");
+
+    glm::uvec2 resolution_;
+    std::vector<LayerKind> layers_;
+    std::uint32_t pass_ = 0; // that is being rendered
+    PassSet passes_;
+    std::vector<FilmFault> faults_; // of passes that have ended; layer after layer, kFilmFaults each
+    gpu::Kernel accumulateFilm_;
+    gpu::Kernel resolveFilm_;
+    gpu::Kernel estimateError_;
+    std::array<gpu::Array<shared::FilmColor>, shared::kCameraSequences> sums_; // layer after layer
+    gpu::Array<glm::uvec2> passFaults_; // of this pass: how many, and the lowest pixel; in the order of faults_
+    gpu::Array<glm::vec3> image_;
+    gpu::Array<float> errorSums_;
+};
+
+} // namespace hyalite::render

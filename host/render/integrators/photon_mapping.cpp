@@ -1,0 +1,225 @@
+#include "render/integrators/photon_mapping.h"
+
+#include "render/photons/photon_file.h"
+#include "render/upload/scene_identity.h"
+
+#include <algorithm>
+
+namespace hyalite::render {
+
+namespace {
+
+constexpr std::uint32_t kAllLight =
+    1U << shared::kPhotonDirect | 1U << shared::kPhotonIndirect | 1U << shared::kPhotonCaustic;
+
+// How photons are drawn, by kind: yellow, blue, red, magenta.
+constexpr std::array<glm::vec3, 4> kPointColors{
+    {{1.0F, 0.8F, 0.1F}, {0.1F, 0.3F, 1.0F}, {1.0F, 0.1F, 0.05F}, {0.5F, 0.0F, 0.5F}}};
+
+} // namespace
+
+std::vector<LayerKind> PhotonMapping::layers(PhotonView view) {
+    switch (view) {
+    case PhotonView::GlobalMap:
+        return {{"emitted"}, {"global_map"}};
+    case PhotonView::CausticMap:
+        return {{"caustic_map"}};
+    case PhotonView::Radius:
+        return {{"radius"}};
+    case PhotonView::Photons:
+        return {{"emitted"}, {"direct"}, {"caustic"}, {"indirect"}, {"photons"}};
+    case PhotonView::Picture:
+        break;
+    }
+    return {{"emitted"}, {"direct"}, {"caustic"}, {"indirect"}};
+}
+
+PhotonMapping::PhotonMapping(Device& device, const Scene& scene, const DeviceScene& deviceScene, const Film& film,
+                             const RenderOptions& options)
+    : device_(device), scene_(scene), deviceScene_(deviceScene), film_(film), save_(options.savePhotons),
+      load_(options.loadPhotons), cameraPaths_(device, scene, deviceScene, film.pixelCount()),
+      lightSampler_(device, deviceScene, film.pixelCount()), maps_(device, scene, deviceScene),
+      startGatherRays_(device.kernel("start_gather_rays")), skipShadowRays_(device.kernel("skip_shadow_rays")),
+      addGatheredLight_(device.kernel("add_gathered_light")),
+      visiblePoints_(device.context, film.pixelCount(), "visible points"),
+      gatherPoints_(device.context, film.pixelCount(), "ends of gathering rays"),
+      emitted_(device.context, film.pixelCount(), "emitted light"),
+      unused_(device.context, film.pixelCount(), "emission seen by gathering rays"),
+      direct_(device.context, film.pixelCount(), "direct light"),
+      caustic_(device.context, film.pixelCount(), "caustics"),
+      indirect_(device.context, film.pixelCount(), "indirect light"),
+      found_(device.context, film.pixelCount(), "light found by gathering rays"),
+      radii_(device.context, film.pixelCount(), "radii of estimates"),
+      lit_(device.context, film.pixelCount(), "lights seen"),
+      shadowed_(device.context, film.pixelCount(), "lights hidden"),
+      shadowRayCounts_(device.context, 2, "counts of shadow rays") {
+    std::ranges::fill(shadowRayCounts_.host(), 0U);
+}
+
+void PhotonMapping::renderPass(std::uint32_t pass) {
+    if (!prepared_) {
+        prepareMaps();
+    }
+    // Where each pixel's path first meets a diffuse surface, through mirrors and glass, and the emission on the way; at
+    // rough metal and glass also the light that comes there straight from a lamp
+    device_.commands.clear(direct_.buffer());
+    cameraPaths_.generate(pass);
+    const RaysTraced rays = cameraPaths_.follow(pass, visiblePoints_, emitted_, &direct_);
+    counts_.cameraRays += rays.camera;
+    counts_.shadowRays += rays.shadow;
+    switch (scene_.render.photonMap.view) {
+    case PhotonView::GlobalMap:
+        maps_.estimateGlobal(visiblePoints_, kAllLight, indirect_, radii_);
+        film_.add(device_, 0, emitted_);
+        film_.add(device_, 1, indirect_);
+        break;
+    case PhotonView::CausticMap:
+        maps_.estimateCaustics(visiblePoints_, caustic_, radii_);
+        film_.add(device_, 0, caustic_);
+        break;
+    case PhotonView::Radius:
+        maps_.estimateGlobal(visiblePoints_, kAllLight, indirect_, radii_);
+        device_.commands.finish();
+        std::ranges::transform(radii_.host(), caustic_.host().begin(), [](float r) { return glm::vec3(r); });
+        film_.add(device_, 0, caustic_);
+        break;
+    case PhotonView::Photons:
+        renderLight(pass);
+        film_.add(device_, 4, points_);
+        break;
+    case PhotonView::Picture:
+        renderLight(pass);
+        break;
+    }
+    device_.commands.finish();
+    counts_.photonRays = maps_.raysTraced();
+}
+
+void PhotonMapping::prepareMaps() {
+    if (load_.empty()) {
+        maps_.trace();
+    } else {
+        maps_.load(readPhotons(load_, photonFingerprint(scene_, deviceScene_)));
+    }
+    if (!save_.empty()) {
+        writePhotons(save_, maps_.lists(), photonFingerprint(scene_, deviceScene_));
+    }
+    maps_.build();
+    if (scene_.render.photonMap.view == PhotonView::Photons) {
+        drawPhotons();
+    }
+    noteMaps();
+    prepared_ = true;
+}
+
+void PhotonMapping::noteMaps() {
+    const PhotonMapSettings& settings = scene_.render.photonMap;
+    const PhotonLists& lists = maps_.lists();
+    counts_.photonsEmitted = scene_.render.photons;
+    counts_.photonsStored = lists.global.size();
+    counts_.causticPhotonsEmitted = maps_.hasTargets() ? settings.causticPhotons : 0;
+    counts_.causticPhotonsStored = lists.caustic.size();
+    notes_.lights = maps_.balance();
+    const auto warn = [&](const std::string& text) { notes_.warnings.push_back(text); };
+    if (lists.global.empty()) {
+        warn("no photon landed on a diffuse surface: there is no indirect light (do the lights shine into the scene?)");
+    }
+    if (maps_.hasTargets() && settings.causticPhotons > 0 && lists.caustic.empty()) {
+        warn("none of the " + std::to_string(settings.causticPhotons) +
+             " caustic photons reached a diffuse surface by way of a mirror or glass: there are no caustics (can the "
+             "lights reach anything specular?)");
+    }
+    if (!lists.global.empty() && lists.global.size() < settings.nearest) {
+        warn("the global map holds " + std::to_string(lists.global.size()) + " photons, fewer than render.nearest = " +
+             std::to_string(settings.nearest) + ": every estimate takes all that lie within its radius");
+    }
+}
+
+void PhotonMapping::renderLight(std::uint32_t pass) {
+    // Light straight from the lamps to diffuse surfaces, lamp by lamp, with a shadow ray where the photons do not tell
+    sampleDirectLight(pass);
+    // Light by way of mirrors and glass alone
+    maps_.estimateCaustics(visiblePoints_, caustic_, radii_);
+    // Light by way of other diffuse surfaces
+    if (scene_.render.photonMap.gatherRays > 0) {
+        gatherIndirectLight(pass);
+    } else {
+        maps_.estimateGlobal(visiblePoints_, 1U << shared::kPhotonIndirect, indirect_, radii_);
+    }
+    film_.add(device_, 0, emitted_);
+    film_.add(device_, 1, direct_);
+    film_.add(device_, 2, caustic_);
+    film_.add(device_, 3, indirect_);
+}
+
+void PhotonMapping::sampleDirectLight(std::uint32_t pass) {
+    gpu::Commands& commands = device_.commands;
+    const std::uint32_t pixels = film_.pixelCount();
+    const bool classified = scene_.render.photonMap.shadowPhotons > 0;
+    if (classified) {
+        maps_.classify(visiblePoints_, lit_, shadowed_);
+    }
+    for (std::uint32_t light = 0; light < deviceScene_.lightCount; ++light) {
+        lightSampler_.sample(visiblePoints_, light, pass, scene_.render.maxDepth);
+        if (classified && light < shared::kMostClassifiedLights) {
+            commands.run(skipShadowRays_,
+                         shared::SkipShadowRaysArguments{lit_, shadowed_, lightSampler_.shadowRays(),
+                                                         lightSampler_.contributions(), direct_, shadowRayCounts_,
+                                                         light, pixels},
+                         pixels);
+        } else {
+            counts_.shadowRays += pixels;
+        }
+        lightSampler_.trace(direct_);
+    }
+    if (classified) {
+        commands.finish();
+        counts_.shadowRaysSaved += shadowRayCounts_.host()[0];
+        counts_.shadowRays += shadowRayCounts_.host()[1];
+        std::ranges::fill(shadowRayCounts_.host(), 0U);
+    }
+}
+
+void PhotonMapping::gatherIndirectLight(std::uint32_t pass) {
+    gpu::Commands& commands = device_.commands;
+    const PhotonMapSettings& settings = scene_.render.photonMap;
+    const std::uint32_t pixels = film_.pixelCount();
+    const float scale = 1 / static_cast<float>(settings.gatherRays);
+    commands.clear(indirect_.buffer());
+    for (std::uint32_t ray = 0; ray < settings.gatherRays; ++ray) {
+        const std::uint32_t gather = shared::gatherPass(pass, settings.gatherRays, ray);
+        CameraQueue& queue = cameraPaths_.queue();
+        commands.run(startGatherRays_,
+                     shared::StartGatherRaysArguments{visiblePoints_, queue.nextRays, queue.nextPaths, queue.alive,
+                                                      pixels, gather},
+                     pixels);
+        commands.clear(gatherPoints_.buffer());
+        cameraPaths_.compact(pixels);
+        // Light straight from lamps, wherever it falls on the way, is caustic or direct light
+        counts_.cameraRays += cameraPaths_.follow(gather, gatherPoints_, unused_, nullptr).camera;
+        if (settings.precomputedIrradiance) {
+            maps_.addIrradiance(gatherPoints_, indirect_, scale);
+        } else {
+            maps_.estimateGlobal(gatherPoints_, kAllLight, found_, radii_);
+            commands.run(addGatheredLight_, shared::AddGatheredLightArguments{found_, indirect_, pixels, scale},
+                         pixels);
+        }
+    }
+}
+
+void PhotonMapping::drawPhotons() {
+    gpu::Array<shared::uint> counts(device_.context, std::size_t{4} * film_.pixelCount(), "photons per pixel");
+    std::ranges::fill(counts.host(), 0U);
+    maps_.splat(counts);
+    device_.commands.finish();
+    points_ = {device_.context, film_.pixelCount(), "photons as points"};
+    for (std::size_t pixel = 0; pixel < film_.pixelCount(); ++pixel) {
+        glm::vec3 color(0);
+        for (std::size_t kind = 0; kind < kPointColors.size(); ++kind) {
+            color += static_cast<float>(std::min(counts.host()[4 * pixel + kind], 1U)) * kPointColors.at(kind);
+        }
+        points_.host()[pixel] = color;
+    }
+}
+
+} // namespace hyalite::render

@@ -1,0 +1,63 @@
+// Progressive photon mapping with independent passes [Knaus11].
+#pragma once
+
+#include "render/film/film.h"
+#include "render/integrators/integrator.h"
+#include "render/photons/photon_grid.h"
+#include "render/photons/photon_paths.h"
+#include "render/wavefront/camera_paths.h"
+#include "render/wavefront/light_sampler.h"
+
+namespace hyalite::render {
+
+// Search radius of a pass: the first pass searches `initial` [m], later ones less, such that a share alpha of the
+// photons that a constant radius would add is kept, and both bias and variance vanish [Knaus11].
+[[nodiscard]] double searchRadius(double initial, double alpha, std::uint32_t pass);
+
+class Ppm final : public PassIntegrator {
+public:
+    // The layers of its film.
+    [[nodiscard]] static std::vector<LayerKind> layers() {
+        return {{"emitted"}, {"direct"}, {"caustic"}, {"indirect"}};
+    }
+
+    // References are kept.
+    Ppm(Device& device, const Scene& scene, const DeviceScene& deviceScene, const Film& film);
+
+    void renderPass(std::uint32_t pass) override;
+
+private:
+    // The photons of a pass that light one layer of the film.
+    struct Photons {
+        std::uint32_t purpose; // shared::kGlobalPhotons, kCausticPhotons
+        std::uint32_t count;   // emitted
+        std::uint32_t kinds;   // that are stored, see PhotonPass
+        bool aimed;
+        std::uint32_t layer;
+        double radius; // of pass 0 [m]
+    };
+    [[nodiscard]] std::vector<Photons> photonsOf(const Scene& scene, const DeviceScene& deviceScene);
+    [[nodiscard]] PhotonPass photonPass(const Photons& photons, std::uint32_t pass) const;
+    [[nodiscard]] double radiusByPilot(const Photons& photons);
+
+    void sampleDirectLight(std::uint32_t pass);
+    void gather(const Photons& photons, std::uint32_t pass);
+
+    Device& device_;
+    const Scene& scene_;
+    const Film& film_;
+
+    CameraPaths cameraPaths_;
+    LightSampler lightSampler_;
+    PhotonPaths photonPaths_;
+    PhotonGrid grid_;
+    gpu::Kernel gatherRadiance_;
+    std::vector<Photons> photons_;
+
+    gpu::Array<shared::VisiblePoint> visiblePoints_;
+    gpu::Array<glm::vec3> emitted_;
+    gpu::Array<glm::vec3> direct_;
+    gpu::Array<glm::vec3> gathered_;
+};
+
+} // namespace hyalite::render

@@ -1,0 +1,65 @@
+// Recursive reflection and refraction [Whitted80], the recursion unrolled into the levels of the trees of all pixels.
+#pragma once
+
+#include "render/film/film.h"
+#include "render/integrators/integrator.h"
+#include "render/upload/device_scene.h"
+#include "render/wavefront/next_rays.h"
+#include "render/wavefront/rough_light.h"
+
+#include <array>
+
+namespace hyalite::render {
+
+class Whitted final : public PassIntegrator {
+public:
+    // The layers of its film.
+    [[nodiscard]] static std::vector<LayerKind> layers() { return {{"radiance"}}; }
+
+    // References are kept.
+    Whitted(Device& device, const Scene& scene, const DeviceScene& deviceScene, const Film& film);
+
+    void renderPass(std::uint32_t pass) override;
+
+private:
+    // Everything that has one element per ray of a level, or two for the rays that go on from it.
+    struct Level {
+        gpu::Array<shared::uint> slots;   // of the level before, where this one's rays stand
+        gpu::Array<shared::Ray> nextRays; // two slots each
+        gpu::Array<shared::CameraPath> nextPaths;
+        gpu::Array<shared::uint> alive; // slots in use
+        gpu::Array<shared::uint> pixels;
+        gpu::Array<glm::vec3> light;
+        gpu::Array<shared::RoughPoint> roughPoints;
+
+        [[nodiscard]] std::uint32_t capacity() const { return static_cast<std::uint32_t>(alive.count()); }
+    };
+    // What a level also leaves for who looks on.
+    struct Kept {
+        gpu::Array<shared::Ray> rays;
+        gpu::Array<shared::CameraPath> paths;
+        gpu::Array<shared::Hit> hits;
+        gpu::Array<glm::vec3> emitted;
+        gpu::Array<shared::VisiblePoint> visiblePoints;
+    };
+
+    // Makes room for `count` rays of the level at this depth, whose last contents are lost if there was not enough.
+    Level& levelFor(std::uint32_t depth, std::uint32_t count);
+    void keepFor(std::uint32_t count);
+    void trace(std::uint32_t pass, std::uint32_t depth, std::uint32_t count);
+
+    Device& device_;
+    const Scene& scene_;
+    const DeviceScene& deviceScene_;
+    const Film& film_;
+
+    gpu::Kernel traceWhitted_;
+    gpu::Kernel sumPaths_;
+    NextRays nextRays_;
+    RoughLight roughLight_;
+    std::array<Level, 2> levels_; // of even and of odd depth: each reads what the one before has left
+    Kept kept_;
+    gpu::Array<glm::vec3> radiance_; // of the pass, by pixel
+};
+
+} // namespace hyalite::render

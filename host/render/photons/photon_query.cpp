@@ -1,0 +1,84 @@
+#include "render/photons/photon_query.h"
+
+#include "base/error.h"
+
+#include "shaders/shared/limits.h"
+#include "shaders/shared/photon_map.h"
+
+#include <algorithm>
+#include <bit>
+#include <string>
+
+namespace hyalite::render {
+
+namespace {
+
+void checkNearest(std::uint32_t nearest, std::uint32_t least, std::uint32_t most) {
+    if (nearest < least || nearest > most) {
+        throw Error(ExitCode::BadInput, "a search for " + std::to_string(nearest) + " photons",
+                    "this one finds " + std::to_string(least) + " to " + std::to_string(most));
+    }
+}
+
+// Few sizes, so that few kernels are compiled.
+std::uint32_t heapCapacity(std::uint32_t nearest, std::uint32_t least) {
+    checkNearest(nearest, least, shared::kMaxNearest);
+    constexpr std::uint32_t kLeast = 8;
+    return std::max(kLeast, std::bit_ceil(nearest));
+}
+
+gpu::Specialization specialized(PhotonStructure structure, std::uint32_t capacity) {
+    return {{"kNearestCapacity", capacity},
+            {"kPhotonStructure", structure == PhotonStructure::Tree ? shared::kPhotonTree : shared::kPhotonGrid}};
+}
+
+std::uint32_t filterNumber(PhotonFilter filter) {
+    switch (filter) {
+    case PhotonFilter::Cone:
+        return shared::kFilterCone;
+    case PhotonFilter::Gaussian:
+        return shared::kFilterGaussian;
+    case PhotonFilter::Custom:
+        return shared::kFilterCustom;
+    case PhotonFilter::None:
+        break;
+    }
+    return shared::kFilterNone;
+}
+
+} // namespace
+
+gpu::Specialization searchOf(PhotonStructure structure, std::uint32_t nearest) {
+    return specialized(structure, heapCapacity(nearest, 1));
+}
+
+NearestPhotons::NearestPhotons(const Device& device, PhotonStructure structure, std::uint32_t nearest)
+    : capacity_(heapCapacity(nearest, 1)),
+      nearestPhotons_(device.kernel("nearest_photons", specialized(structure, capacity_))) {}
+
+void NearestPhotons::run(Device& device, const shared::PhotonMapRecord& map, shared::VisiblePointArray points,
+                         std::uint32_t count, const PhotonSearch& search, shared::UintArray found) const {
+    checkNearest(search.nearest, 1, capacity_);
+    device.commands.run(nearestPhotons_,
+                        shared::NearestPhotonsArguments{points, map, found, search.radius, search.nearest, search.kinds,
+                                                        count, search.maxDepth},
+                        count);
+}
+
+RadianceEstimate::RadianceEstimate(const Device& device, PhotonStructure structure, std::uint32_t nearest)
+    : capacity_(heapCapacity(nearest, 2)),
+      estimateRadiance_(device.kernel("estimate_radiance", specialized(structure, capacity_))) {}
+
+void RadianceEstimate::run(Device& device, const shared::PhotonMapRecord& map, shared::VisiblePointArray points,
+                           std::uint32_t count, const PhotonSearch& search, const PhotonDensity& density,
+                           shared::ColorArray gathered, shared::FloatArray radii) const {
+    checkNearest(search.nearest, 2, capacity_);
+    device.commands.run(estimateRadiance_,
+                        shared::EstimateRadianceArguments{points, map, gathered, radii, search.radius,
+                                                          density.coneConstant, density.maxChange, search.nearest,
+                                                          search.kinds, filterNumber(density.filter), count,
+                                                          search.maxDepth, search.width},
+                        count);
+}
+
+} // namespace hyalite::render

@@ -1,0 +1,64 @@
+// Searches of a photon map at every visible point: the radiance estimate from the nearest photons, and the photons
+// themselves.
+#pragma once
+
+#include "render/wavefront/device.h"
+#include "scene/model/scene.h"
+
+#include "shaders/shared/kernel_arguments.h"
+
+namespace hyalite::render {
+
+using hyalite::PhotonFilter;
+using hyalite::PhotonStructure;
+
+// What a kernel that searches photon maps is specialised to: the structure, and room for `nearest` photons.
+[[nodiscard]] gpu::Specialization searchOf(PhotonStructure structure, std::uint32_t nearest);
+
+// Which photons a search takes.
+struct PhotonSearch {
+    std::uint32_t nearest = 50; // how many, 1 … shared::kMaxNearest
+    float radius = 0;           // none farther away [m]; of a grid, at most the radius that it was built for
+    std::uint32_t kinds = 0;    // bit shared::kPhoton… is set for every kind that counts
+    std::uint32_t maxDepth = 0; // segments of the photon's path and the camera's together
+    std::uint32_t width = 0;    // of the picture, where its pixels ask
+};
+
+struct PhotonDensity {
+    PhotonFilter filter = PhotonFilter::None;
+    float coneConstant = 1.1F; // the cone's radius over the disc's, >= 1
+    float maxChange = 0;       // relative change of the density at which discs stop to grow; 0: they do not
+};
+
+// Finds up to `nearest` photons for each point.
+class NearestPhotons {
+public:
+    NearestPhotons(const Device& device, PhotonStructure structure, std::uint32_t nearest);
+
+    // Records the search of `map` at `count` points. `found`: search.nearest slots for each, the nearest first, then
+    // kNone. search.nearest must not be more than at construction.
+    void run(Device& device, const shared::PhotonMapRecord& map, shared::VisiblePointArray points, std::uint32_t count,
+             const PhotonSearch& search, shared::UintArray found) const;
+
+private:
+    std::uint32_t capacity_;
+    gpu::Kernel nearestPhotons_;
+};
+
+// Estimates reflected radiance from the nearest photons.
+class RadianceEstimate {
+public:
+    // `nearest`: at least 2; one photon makes a disc and leaves none to count in it. Throws Error(BadInput) otherwise.
+    RadianceEstimate(const Device& device, PhotonStructure structure, std::uint32_t nearest);
+
+    // Records the estimate at `count` points: radiance [W/(m^2 sr)] and the radius of the disc that it comes from [m].
+    void run(Device& device, const shared::PhotonMapRecord& map, shared::VisiblePointArray points, std::uint32_t count,
+             const PhotonSearch& search, const PhotonDensity& density, shared::ColorArray gathered,
+             shared::FloatArray radii) const;
+
+private:
+    std::uint32_t capacity_;
+    gpu::Kernel estimateRadiance_;
+};
+
+} // namespace hyalite::render

@@ -1,0 +1,136 @@
+#include "render/upload/device_scene.h"
+
+#include "geometry/specular_targets.h"
+#include "render/upload/light_table.h"
+#include "render/upload/material_table.h"
+#include "render/upload/mesh_tables.h"
+#include "render/upload/object_table.h"
+#include "render/upload/texture_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace hyalite::render {
+
+namespace {
+
+using glm::dvec3;
+using glm::vec3;
+
+// Up to so many spheres and flat shapes are tried one by one: eight measure 2.4 times as fast as their hierarchy.
+constexpr std::size_t kFewObjects = 12;
+
+// Meshes have hierarchies of their own; to try a solid costs more than to pass by its box.
+bool isQuicklyTried(const Object& object) {
+    return !std::holds_alternative<Quadric>(object.shape) && !std::holds_alternative<Torus>(object.shape) &&
+           !std::holds_alternative<Csg>(object.shape);
+}
+
+// To full rounds of the stack's variables, so that scenes of much the same depth share their kernels.
+std::uint32_t roundedUp(std::uint32_t stackEntries) {
+    return (stackEntries + shared::kStackTops - 1) / shared::kStackTops * shared::kStackTops;
+}
+
+// Bit kLight… for every type of light.
+std::uint32_t typesOf(const std::vector<shared::LightRecord>& lights) {
+    return std::accumulate(lights.begin(), lights.end(), 0U, [](std::uint32_t types, const shared::LightRecord& light) {
+        return types | 1U << light.type;
+    });
+}
+
+} // namespace
+
+shared::CameraRecord cameraRecord(const Camera& camera) {
+    const dvec3 forward = glm::normalize(camera.lookAt - camera.position);
+    const dvec3 right = glm::normalize(glm::cross(forward, camera.up));
+    const dvec3 up = glm::cross(right, forward);
+    const double tangent = std::tan(0.5 * camera.fov * std::numbers::pi / 180);
+    const double aspect = static_cast<double>(camera.resolution.x) / static_cast<double>(camera.resolution.y);
+    const double focus = camera.focusDistance > 0 ? camera.focusDistance : glm::length(camera.lookAt - camera.position);
+    return {camera.position,
+            forward,
+            right * (tangent * aspect),
+            up * tangent,
+            camera.resolution.x,
+            camera.resolution.y,
+            static_cast<float>(0.5 * camera.aperture),
+            static_cast<float>(focus)};
+}
+
+namespace {
+
+// Copies a table to the device and frees it here: of large meshes there is no room for two.
+template <class T>
+gpu::Array<T> upload(const gpu::Context& context, std::vector<T>& table, const char* name) {
+    gpu::Array<T> array(context, std::span<const T>(table), name);
+    table = {};
+    return array;
+}
+
+void uploadTextures(const gpu::Context& context, gpu::TexelTables& tables, const Scene& scene, const MeshTables& meshes,
+                    DeviceScene& device) {
+    device.specialization["kTextures"] = hasTextures(scene) ? 1 : 0;
+    if (!hasTextures(scene)) {
+        return;
+    }
+    const std::vector<glm::vec4> textures = textureTexels(scene.textures);
+    const std::vector<glm::vec4> coordinates = coordinateTexels(scene.meshes, meshes);
+    device.textures = {context, std::span<const glm::vec4>(textures), "textures"};
+    device.textureCoordinates = {context, std::span<const glm::vec4>(coordinates), "texture coordinates"};
+    tables.set(TABLE_TEXTURES, device.textures.buffer(), gpu::TexelFormat::Float4);
+    tables.set(TABLE_TEXTURE_COORDINATES, device.textureCoordinates.buffer(), gpu::TexelFormat::Float4);
+}
+
+} // namespace
+
+DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, const Scene& scene) {
+    MeshTables meshes = buildMeshTables(scene.meshes);
+    LightTable lights = buildLightTable(scene);
+    ObjectTable objects = buildObjectTable(scene, meshes.roots, lights.firstEmitter, meshes.geometry);
+    const MaterialTable materials = buildMaterialTable(scene.materials);
+
+    std::vector<shared::TargetRecord> targets;
+    for (const BoundingSphere& sphere : specularTargets(scene)) {
+        const bool endless = std::isinf(sphere.radius);
+        targets.push_back({sphere.center, endless ? 3e38F : static_cast<float>(sphere.radius)});
+    }
+
+    DeviceScene device;
+    device.targets = {context, std::span<const shared::TargetRecord>(targets), "targets"};
+    device.targetCount = static_cast<std::uint32_t>(targets.size());
+    device.camera = cameraRecord(scene.camera);
+    device.rootNode = objects.rootNode;
+    device.lightCount = static_cast<std::uint32_t>(lights.lights.size());
+    device.materials = {context, std::span<const shared::MaterialRecord>(materials.records), "materials"};
+    device.hasRoughLobes = materials.hasRoughLobes();
+    device.lightTriangles = {context, std::span<const shared::LightTriangle>(lights.triangles), "emitting triangles"};
+    device.lightTexels = {context, std::span<const vec3>(lights.texels), "environment"};
+    device.lightCdfs = {context, std::span<const float>(lights.cdfs), "parts of lights"};
+    setAddresses(lights.lights, device.lightTriangles, device.lightTexels, device.lightCdfs);
+    device.lights = {context, std::span<const shared::LightRecord>(lights.lights), "lights"};
+    device.instances = {context, std::span<const shared::InstanceRecord>(objects.instances), "instances"};
+    device.normals = upload(context, meshes.normals, "normals");
+    device.geometry = upload(context, meshes.geometry, "geometry");
+    device.objects = {context, std::span<const glm::vec4>(objects.texels), "objects"};
+    tables.set(TABLE_GEOMETRY, device.geometry.buffer(), gpu::TexelFormat::Uint4);
+    tables.set(TABLE_OBJECTS, device.objects.buffer(), gpu::TexelFormat::Float4);
+    uploadTextures(context, tables, scene, meshes, device);
+    const bool areFew =
+        scene.objects.size() <= kFewObjects && std::all_of(scene.objects.begin(), scene.objects.end(), isQuicklyTried);
+    device.specialization["kShapeTypes"] = objects.shapeTypes;
+    device.specialization["kFewObjects"] = areFew ? static_cast<std::uint32_t>(scene.objects.size()) : 0;
+    device.specialization["kEndlessObjects"] = objects.endlessCount;
+    device.specialization["kStackEntries"] = roundedUp(objects.stackEntries + meshes.stackEntries);
+    device.specialization["kCsgLeaves"] = std::max(objects.mostLeaves, 1U);
+    device.specialization["kLightTypes"] = typesOf(lights.lights);
+    device.specialization["kMaterialTypes"] = materials.types;
+    device.specialization["kLightsSought"] = device.lightCount <= shared::kMostLightsSought ? device.lightCount : 0;
+    device.objectOf = std::move(objects.objectOf);
+    device.leafOf = std::move(objects.leafOf);
+    device.triangleOf = std::move(meshes.fileOrder);
+    return device;
+}
+
+} // namespace hyalite::render

@@ -1,0 +1,22 @@
+// The scene's textures as the kernels read them; see shaders/shared/scene_records.h for the layouts.
+#pragma once
+
+#include "render/upload/mesh_tables.h"
+#include "scene/model/scene.h"
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace hyalite::render {
+
+// Whether any material has a texture; where none has, kernels leave both tables alone.
+[[nodiscard]] bool hasTextures(const Scene& scene);
+
+// The texture table: all textures, then the texels of the images.
+[[nodiscard]] std::vector<glm::vec4> textureTexels(const std::vector<Texture>& textures);
+
+// The table of texture coordinates, triangle by triangle in the order of MeshTables; 0 in meshes that have none.
+[[nodiscard]] std::vector<glm::vec4> coordinateTexels(const std::vector<Mesh>& meshes, const MeshTables& tables);
+
+} // namespace hyalite::render

@@ -1,0 +1,201 @@
+// See load_scene.h. The top of the format: its sections, objects, and what a scene as a whole must have.
+#include "scene/yaml/load_scene.h"
+
+#include "base/input_file.h"
+#include "scene/model/bounds.h"
+#include "scene/model/scene_limits.h"
+#include "scene/yaml/mesh_library.h"
+#include "scene/yaml/read_lights.h"
+#include "scene/yaml/read_materials.h"
+#include "scene/yaml/read_shapes.h"
+#include "scene/yaml/read_textures.h"
+#include "scene/yaml/read_transform.h"
+#include "scene/yaml/reader.h"
+#include "scene/yaml/settings.h"
+#include "scene/yaml/yaml_tree.h"
+
+#include <algorithm>
+#include <iterator>
+#include <new>
+
+namespace hyalite {
+namespace {
+
+constexpr Range kCopies{1, kMostCopies};
+constexpr Range kRadiance{0, kLargestEmission, true, true, "W/(m^2 sr)"};
+
+void checkVersion(const Value& version) {
+    if (version.node().kind != YamlNode::Kind::Scalar || version.node().text != "1") {
+        version.fail("unknown version of the scene format", "this program reads hyalite: 1");
+    }
+}
+
+void readTextures(const Value& value, const std::filesystem::path& folder, Scene& scene) {
+    const Reader map(value); // as of the materials
+    for (const YamlEntry& entry : map.map().node().entries) {
+        scene.textures.push_back(readTexture(Value(*entry.value, value.file(), entry.key), folder));
+    }
+}
+
+void readMaterials(const Value& value, Scene& scene) {
+    const Reader map(value); // for its check that this is a map: the keys are names of the user's choice
+    for (const YamlEntry& entry : map.map().node().entries) {
+        scene.materials.push_back(readMaterial(Value(*entry.value, value.file(), entry.key), scene));
+    }
+}
+
+// Spheres that a transform has made ellipsoids cannot.
+void checkEmission(const Value& emission, const Shape& shape, const Scene& scene) {
+    if (const auto* instance = std::get_if<MeshInstance>(&shape)) {
+        if (!(worldArea(scene.meshes[instance->mesh], instance->objectToWorld) > 0)) {
+            emission.fail("this mesh has no area to emit light from");
+        }
+    } else if (!std::holds_alternative<Quad>(shape) && !std::holds_alternative<Disk>(shape) &&
+               !std::holds_alternative<Sphere>(shape)) {
+        emission.fail("only quads, disks, spheres and meshes can emit light", "use one of these, or a point light");
+    }
+}
+
+// Where the copies of an object stand: its own place, moved on by every product of powers of the maps in `repeat`.
+std::vector<glm::dmat4> readRepeat(const Value& value) {
+    std::vector<glm::dmat4> places{glm::dmat4(1)};
+    for (const Value& item : value.list()) {
+        Reader reader(item);
+        std::uint32_t count = 1;
+        reader.required("count", count, kCopies);
+        const glm::dmat4 step = readTransform(reader.require("transform"));
+        reader.finish();
+        if (places.size() * count > kMostCopies) {
+            item.fail("more than " + std::to_string(kMostCopies) + " copies of one object");
+        }
+        std::vector<glm::dmat4> more;
+        glm::dmat4 map(1);
+        for (std::uint32_t i = 0; i < count; ++i, map = step * map) {
+            for (const glm::dmat4& place : places) {
+                more.push_back(map * place);
+            }
+        }
+        places = std::move(more);
+    }
+    return places;
+}
+
+// The object at one place; several where it shows a mesh file of several parts.
+std::vector<Object> readCopy(const Value& value, const glm::dmat4& place, Scene& scene, MeshLibrary& meshes) {
+    Reader reader(value);
+    const Value shape = reader.require("shape");
+    std::vector<Object> parts;
+    Surroundings around{.scene = scene, .meshes = meshes, .parts = &parts};
+    const auto repeat = reader.find("repeat");
+    const auto transform = reader.find("transform");
+    around.placement = {place * (transform ? readTransform(*transform) : glm::dmat4(1)),
+                        transform ? transform : repeat};
+    if (const auto name = reader.find("material")) {
+        around.material = findMaterial(*name, scene);
+    }
+    glm::dvec3 radiance(0);
+    const auto emission = reader.find("emission");
+    if (emission) {
+        emission->readColor(radiance, kRadiance);
+    }
+    const double photonShare = readPhotonShare(reader);
+    reader.finish();
+    Object whole = readShape(shape, around);
+    if (parts.empty()) {
+        parts.push_back(std::move(whole));
+    }
+    for (Object& object : parts) {
+        object.where = reader.where();
+        object.emission = radiance;
+        object.photonShare = photonShare;
+        if (emission) {
+            checkEmission(*emission, object.shape, scene);
+        }
+        // The shapes within a csg have answered for themselves
+        if (!object.material && !emission && !std::holds_alternative<Csg>(object.shape)) {
+            value.fail("this object has neither a material nor an emission",
+                       "for a black object use a diffuse material of albedo 0");
+        }
+    }
+    return parts;
+}
+
+// The object and its copies.
+std::vector<Object> readObject(const Value& value, Scene& scene, MeshLibrary& meshes) {
+    Reader reader(value);
+    const auto repeat = reader.find("repeat");
+    std::vector<Object> objects;
+    for (const glm::dmat4& place : repeat ? readRepeat(*repeat) : std::vector{glm::dmat4(1)}) {
+        std::vector<Object> parts = readCopy(value, place, scene, meshes);
+        std::move(parts.begin(), parts.end(), std::back_inserter(objects));
+    }
+    return objects;
+}
+
+// What no single key can break.
+void checkScene(const Value& root, const Scene& scene) {
+    const bool emits = std::any_of(scene.objects.begin(), scene.objects.end(),
+                                   [](const Object& object) { return object.emission != glm::dvec3(0); });
+    const bool isLit =
+        scene.environment || !scene.lights.empty() || !scene.spots.empty() || !scene.directionals.empty();
+    if (!isLit && !emits) {
+        root.fail("the scene has no light", "add a point light to 'lights' or give a quad an 'emission'");
+    }
+}
+
+void readScene(const Value& root, const std::filesystem::path& folder, Scene& scene) {
+    Reader reader(root);
+    checkVersion(reader.require("hyalite"));
+    const auto camera = reader.find("camera");
+    const auto render = reader.find("render");
+    const auto textures = reader.find("textures");
+    const auto materials = reader.find("materials");
+    const auto lights = reader.find("lights");
+    const Value objects = reader.require("objects");
+    reader.finish();
+
+    if (camera) {
+        readCamera(*camera, scene.camera);
+    }
+    if (render) {
+        readRenderSettings(*render, scene.render);
+    }
+    if (textures) {
+        readTextures(*textures, folder, scene);
+    }
+    if (materials) {
+        readMaterials(*materials, scene);
+    }
+    if (lights) {
+        for (const Value& light : lights->list()) {
+            readLight(Value(light.node(), light.file(), "light"), folder, scene);
+        }
+    }
+    MeshLibrary meshes(folder, scene.meshes);
+    for (const Value& object : objects.list()) {
+        std::vector<Object> parts = readObject(Value(object.node(), object.file(), "object"), scene, meshes);
+        std::move(parts.begin(), parts.end(), std::back_inserter(scene.objects));
+    }
+    if (scene.objects.empty()) {
+        objects.fail("the scene has no objects");
+    }
+    checkScene(root, scene);
+    checkTextures(scene);
+}
+
+} // namespace
+
+Scene loadScene(const std::filesystem::path& file) {
+    Scene scene;
+    scene.file = file.string();
+    try {
+        const std::string text = readInputFile(file, kLargestSceneFile, "scene", {});
+        const YamlPointer root = parseYaml(text, scene.file);
+        readScene(Value(*root, scene.file, "scene"), file.parent_path(), scene);
+    } catch (const std::bad_alloc&) {
+        throw Error(ExitCode::BadInput, SourceLocation{scene.file, 0, 0}, "the scene does not fit into memory");
+    }
+    return scene;
+}
+
+} // namespace hyalite

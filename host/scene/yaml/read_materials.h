@@ -1,0 +1,15 @@
+// The scene file's materials.
+#pragma once
+
+#include "scene/model/scene.h"
+#include "scene/yaml/reader.h"
+
+namespace hyalite {
+
+// One entry of `materials:`; the scene has its textures. Throws Error(BadInput).
+[[nodiscard]] Material readMaterial(const Value& value, const Scene& scene);
+
+// Index in Scene::materials of the material that `name` names. Throws Error(BadInput) where there is none.
+[[nodiscard]] std::size_t findMaterial(const Value& name, const Scene& scene);
+
+} // namespace hyalite

@@ -1,0 +1,115 @@
+// The projection map: caustic photons are sent only where something specular is, towards spheres around all of it
+// [Jensen01, ch. 5]. From a point of a light each sphere is a cone of directions; across parallel light, a disc of
+// origins. One is chosen in proportion to its size and a ray drawn evenly from it; where they overlap, the density is the
+// sum of theirs, so that the weight of a photon says exactly how much likelier it became than without aiming.
+#ifndef HYALITE_PROJECTION_GLSL
+#define HYALITE_PROJECTION_GLSL
+#include "lights/light.glsl"
+
+// A sphere fills the view from a point inside it, or so close to it [radii].
+const float kCloseToTarget = 1.0001;
+
+// What a sphere is from a point or along a direction.
+struct Aim {
+    vec3 axis;     // unit, from the point to the centre; or the centre, across parallel light [m]
+    float size;    // solid angle [sr], or area of the disc [m^2]
+    float extent;  // 1 - cosine of the cone's half-angle; or squared radius of the disc [m^2]
+    bool anywhere; // it is as wide as all that the light shines into: the light's own choice does for it
+};
+
+// 1 - cosine of the cone that a light at a point shines into.
+float ownExtent(LightRecord light) {
+    return isLight(light.type, kLightSpot) ? light.cone.y : (isSurface(light.type) ? 1.0 : 2.0);
+}
+
+Aim aimFromPoint(TargetRecord target, LightRecord light, vec3 point) {
+    vec3 way = target.center - point;
+    float distance2 = dot(way, way);
+    float sine2 = target.radius * target.radius / distance2;
+    float extent = sine2 / (1.0 + sqrt(max(0.0, 1.0 - sine2))); // 1 - cosine, with all its digits in narrow cones
+    float own = ownExtent(light);
+    if (!(sine2 * kCloseToTarget * kCloseToTarget < 1.0 && extent < own)) {
+        return Aim(vec3(0.0), 2.0 * kPi * own, own, true);
+    }
+    return Aim(way / sqrt(distance2), 2.0 * kPi * extent, extent, false);
+}
+
+Aim aimAlong(TargetRecord target, LightRecord light) {
+    if (target.radius >= light.radius) {
+        return Aim(vec3(0.0), light.area, 0.0, true);
+    }
+    float radius2 = target.radius * target.radius;
+    return Aim(target.center, kPi * radius2, radius2, false);
+}
+
+Aim aimAt(TargetRecord target, LightRecord light, bool parallel, vec3 point) {
+    if (parallel) {
+        return aimAlong(target, light);
+    }
+    return aimFromPoint(target, light, point);
+}
+
+// The part of the sum of sizes that a choice in [0, 1) falls into.
+uint chooseTarget(TargetArray targets, uint count, LightRecord light, bool parallel, vec3 point, float total,
+                  float choice) {
+    float sum = 0.0;
+    for (uint i = 0u; i + 1u < count; ++i) {
+        sum += aimAt(targets.at[i], light, parallel, point).size;
+        if (choice * total < sum) {
+            return i;
+        }
+    }
+    return count - 1u;
+}
+
+bool isWithin(Aim aim, bool parallel, LightRay ray) {
+    if (parallel) {
+        vec3 across = ray.origin - aim.axis;
+        across -= dot(across, ray.direction) * ray.direction;
+        return dot(across, across) <= aim.extent;
+    }
+    vec3 chord = ray.direction - aim.axis; // its square is 2 (1 - cosine)
+    return dot(chord, chord) <= 2.0 * aim.extent;
+}
+
+// One ray towards the targets, and the share of the light's power that a photon along it carries.
+struct AimedRay {
+    vec3 origin;
+    vec3 direction;
+    vec3 power; // flux [W] of the light if all its photons were like this one
+};
+
+// `ray`: what the light itself chose with the same numbers.
+AimedRay aimRay(LightRecord light, TargetArray targets, uint count, LightRay ray, float choice, vec2 uOrigin,
+                vec2 uDirection) {
+    bool parallel = ray.pdfOrigin > 0.0;
+    float total = 0.0;
+    for (uint i = 0u; i < count; ++i) {
+        total += aimAt(targets.at[i], light, parallel, ray.origin).size;
+    }
+    uint chosen = chooseTarget(targets, count, light, parallel, ray.origin, total, choice);
+    Aim aim = aimAt(targets.at[chosen], light, parallel, ray.origin);
+    if (!aim.anywhere && parallel) {
+        vec3 q = aim.axis + fromLocal(vec3(sqrt(aim.extent) * concentricDisc(uOrigin), 0.0), ray.direction);
+        ray.origin = q - dot(q - ray.origin, ray.direction) * ray.direction; // back to the plane that light starts from
+    } else if (!aim.anywhere) {
+        float below = uDirection.x * aim.extent; // 1 - z
+        vec2 sc = sinCosTurns(uDirection.y);
+        float sine = sqrt(below * (2.0 - below));
+        ray.direction = normalize(fromLocal(vec3(sine * sc.y, sine * sc.x, 1.0 - below), aim.axis));
+    }
+    float own = parallel ? originDensity(light, ray.origin, ray.direction)
+                         : emissionDensity(light, ray.normal, ray.direction);
+    float density = 0.0; // times total
+    for (uint i = 0u; i < count; ++i) {
+        Aim other = aimAt(targets.at[i], light, parallel, ray.origin);
+        if (other.anywhere) {
+            density += other.size * own;
+            continue;
+        }
+        density += i == chosen || isWithin(other, parallel, ray) ? 1.0 : 0.0; // the chosen one, whatever rounding says
+    }
+    vec3 power = parallel ? rayPower(light, ray.direction) : light.power;
+    return AimedRay(startOf(ray), ray.direction, density > 0.0 ? power * (own * total / density) : vec3(0.0));
+}
+#endif

@@ -1,0 +1,189 @@
+// Constructive solid geometry: walks the crossings of all leaves in order along the ray and keeps, for each leaf, one
+// bit that says whether the ray is inside. The solid's surface is where the value of the tree changes.
+//
+// Crossings that lie within kPlaceLength (relative) of one another are one place: a piece of the solid, or a gap in it,
+// that is thinner than this is not there. So coincident faces give a stable picture: they are crossed together, and
+// what shows, at the first of these crossings, is the surface of the first leaf, in the order of the scene file, that is
+// crossed in the same sense as the solid and decides.
+#ifndef HYALITE_CSG_GLSL
+#define HYALITE_CSG_GLSL
+#include "shapes/mesh.glsl"
+#include "shapes/solids.glsl"
+
+const float kLongStart = 64.0; // lengths of a place that a ray waits for what it knows to come true
+
+// What a leaf's walk along the ray knows.
+struct LeafState {
+    float t; // next crossing; kInfinity: none
+    uint part;
+    int winding;  // how often the ray is inside; analytic shapes: 0 or 1
+    int entering; // what the next crossing adds to the winding
+    uint behind;  // part of the crossing before; kNone: not known
+};
+
+// The states of a solid's leaves, in their order. A store to an array at an index that is not known costs a branch for
+// every lane of lavapipe, one in a loop over the whole array that is unrolled a blend.
+float leafT[kCsgLeaves];
+uint leafPart[kCsgLeaves];
+int leafWinding[kCsgLeaves]; // of meshes
+int leafEntering[kCsgLeaves];
+uint leafCrossed[kCsgLeaves]; // part of the last crossing
+
+void setLeaf(uint leaf, LeafState state) {
+    for (uint i = 0u; i < kCsgLeaves; ++i) {
+        if (i == leaf) {
+            leafT[i] = state.t;
+            leafPart[i] = state.part;
+            if (sceneHas(kShapeMesh)) {
+                leafWinding[i] = state.winding;
+                leafEntering[i] = state.entering;
+            }
+        }
+    }
+}
+
+void setCrossed(uint leaf, uint part) {
+    for (uint i = 0u; i < kCsgLeaves; ++i) {
+        leafCrossed[i] = i == leaf ? part : leafCrossed[i];
+    }
+}
+
+// The leaf `i` of a solid whose first one is `first`, after the crossing that it is at; `start`: at that parameter of the
+// ray instead.
+LeafState nextCrossing(uint first, uint i, Ray ray, bool start, float startsAt) {
+    uint leaf = first + i;
+    ObjectHeader header = objectHeader(leaf);
+    float after = start ? startsAt : leafT[i];
+    if (isShape(header.type, kShapeMesh)) {
+        vec3 o, d;
+        toMeshSpace(leaf, ray, o, d);
+        MeshCrossing next = nextMeshCrossing(header.root, o, d, after, start ? kNone : leafPart[i], start);
+        int winding = start ? next.winding : leafWinding[i] + leafEntering[i];
+        return LeafState(next.t, next.triangle, winding, next.entering, kNone);
+    }
+    Crossings crossings = solidCrossings(leaf, header.type, ray);
+    int index = 0;
+    while (index < 4 && crossings.t[index] <= after) {
+        ++index;
+    }
+    bool inside = (index & 1) != 0;
+    return LeafState(index < 4 ? crossings.t[index] : kInfinity, index < 4 ? crossings.part[index] : 0u,
+                     inside ? 1 : 0, inside ? -1 : 1, index > 0 ? crossings.part[index - 1] : kNone);
+}
+
+// The tree's value where bit i of `inside` says whether the point is in leaf i.
+bool csgValue(uvec4 program, uint steps, uint inside) {
+    uint stack = 0u; // the top is bit 0
+    for (uint i = 0u; i < steps; ++i) {
+        uint code = (program[i >> 4u] >> (2u * (i & 15u))) & 3u;
+        if (code == kCsgLeaf) {
+            stack = (stack << 1u) | (inside & 1u);
+            inside >>= 1u;
+        } else {
+            uint right = stack & 1u;
+            uint left = (stack >> 1u) & 1u;
+            uint value = code == kCsgUnion ? left | right : code == kCsgIntersection ? left & right : left & ~right;
+            stack = ((stack >> 2u) << 1u) | (value & 1u);
+        }
+    }
+    return (stack & 1u) != 0u;
+}
+
+// The first of the candidates whose bit alone turns the value before or after a place; if none does, the first.
+uint decidingLeaf(uvec4 program, uint steps, uint candidates, uint before, uint after) {
+    bool valueBefore = csgValue(program, steps, before);
+    bool valueAfter = csgValue(program, steps, after);
+    for (uint rest = candidates; rest != 0u; rest &= rest - 1u) {
+        uint leaf = uint(findLSB(rest));
+        uint bit = 1u << leaf;
+        if (csgValue(program, steps, before ^ bit) != valueBefore ||
+            csgValue(program, steps, after ^ bit) != valueAfter) {
+            return leaf;
+        }
+    }
+    return uint(findLSB(candidates));
+}
+
+void reportSurface(uint leaf, float t, uint part, bool enters, Ray ray, inout Hit hit) {
+    if (!(t < hit.t)) {
+        return;
+    }
+    hit = Hit(max(t, kTiny), leaf, part | (enters ? kHitEnters : 0u), vec2(0.0));
+    if (isShape(objectHeader(leaf).type, kShapeMesh)) {
+        vec3 o, d;
+        toMeshSpace(leaf, ray, o, d);
+        hit.uv = triangleCoordinates(o, d, part);
+    }
+}
+
+void traceCsg(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
+    uvec2 leaves = floatBitsToUint(objectTexel(object, 0u).xy);
+    uvec4 program = texelFetch(geometryTable, int(header.root));
+    uint steps = 2u * leaves.y - 1u;
+    uint reversed = 0u; // bits of the leaves whose inside is outside the solid
+
+    uint inside = 0u;
+    bool starting = true;
+    uint before = 0u; // inside bits and value ahead of the place
+    bool valueBefore = false;
+    // A ray that leaves this object starts within a place, and knows the value before it
+    Start start = startAt(object, ray.from);
+    float around = startLength(ray.origin);
+    float placeStart = 0.0;
+    float placeEnd = start.known ? around : 0.0;
+    uint leaf = 0u;
+    while (true) {
+        LeafState state = nextCrossing(leaves.x, leaf, ray, starting, start.known ? -around : 0.0);
+        setLeaf(leaf, state);
+        uint bit = 1u << leaf;
+        inside = state.winding != 0 ? inside | bit : inside & ~bit;
+        if (starting) {
+            uint type = objectHeader(leaves.x + leaf).type;
+            bool isAway = state.winding == 0 && state.t >= hit.t;
+            if (isAway && (type & kShapeRequired) != 0u && !(start.known && start.inside)) {
+                return; // and so the solid is away, up to the hit
+            }
+            setCrossed(leaf, state.behind);
+            reversed |= (type & kShapeReversed) != 0u ? bit : 0u;
+            if (++leaf < leaves.y) {
+                continue;
+            }
+            starting = false;
+            before = inside;
+            valueBefore = start.known ? start.inside : csgValue(program, steps, inside);
+        }
+
+        float t = kInfinity;
+        for (uint i = 0u; i < leaves.y; ++i) {
+            if (leafT[i] < t) {
+                t = leafT[i];
+                leaf = i;
+            }
+        }
+        // What the ray knows may come true a little farther on than its start
+        bool waits = start.known && placeStart == 0.0 && t <= kLongStart * around &&
+                     csgValue(program, steps, inside) != start.inside;
+        if (t > placeEnd && !waits) { // the place is complete
+            bool value = csgValue(program, steps, inside);
+            if (value != valueBefore) {
+                // Where nothing was crossed, the leaf that alone explains it: the ray slips out along its surface
+                uint candidates = before != inside ? before ^ inside : ~0u >> (kMaxCsgLeaves - leaves.y);
+                candidates &= (value ? inside : ~inside) ^ reversed; // those crossed in the same sense as the solid
+                uint surface = decidingLeaf(program, steps, candidates, before, inside);
+                if (candidates != 0u && leafCrossed[surface] != kNone) {
+                    reportSurface(leaves.x + surface, placeStart, leafCrossed[surface], value, ray, hit);
+                    return;
+                }
+            }
+            if (t >= hit.t) {
+                return;
+            }
+            before = inside;
+            valueBefore = value;
+            placeStart = t;
+            placeEnd = t + max(kPlaceLength * t, around);
+        }
+        setCrossed(leaf, leafPart[leaf]);
+    }
+}
+#endif

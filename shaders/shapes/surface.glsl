@@ -1,0 +1,219 @@
+// What a path needs to know of the point it hit.
+#ifndef HYALITE_SURFACE_GLSL
+#define HYALITE_SURFACE_GLSL
+#include "shared/limits.h"
+#include "shared/path_records.h"
+#include "shapes/quadric.glsl"
+#include "lib/specialization.glsl"
+
+struct Surface {
+    vec3 position;        // world [m]
+    vec3 geometricNormal; // unit, on the side the ray came from
+    vec3 normal;          // likewise, smoothed where a mesh has normals
+    float error;          // bound on the error of position [m]
+    bool front;           // the ray came from outside; on flat shapes, from the side the normal is on
+    uint object;          // of CSG the whole, not the leaf
+    uint material;
+    uint light;
+    vec2 uv; // for textures: set where the scene has any
+};
+
+// Positions of quads and spheres, and the next intersection's view of them, are a handful of roundings, each at most
+// 2^-24 of the largest term; those of transformed triangles about twice as many. Twice that is safe, and small enough
+// that where a ray lands does not move visibly.
+const float kPositionError = 4.76837158203125e-7; // 2^-21
+const float kTransformedPositionError = 1.9073486328125e-6; // 2^-19
+
+// Off its plane a point of a quad is by the roundings of n.p alone, here and when the next ray meets the plane: three
+// each time, one where p is moved onto the plane and one where the ray moves off it, each at most 2^-24 of the sum of
+// |n_i p_i|; ten of them are assumed.
+const float kPlaneError = 5.9604644775390625e-7; // 10 * 2^-24
+
+// Points of quadrics and tori: the map to their space, the form there and back, and the same once more for the next ray.
+const float kFormError = 9.5367431640625e-7; // 2^-20
+const float kLargestError = 0.0009765625;    // 2^-10 of the distance to the centre
+
+float largestCoordinate(vec3 p) {
+    return maxComponent(abs(p));
+}
+
+vec3 toWorld(InstanceRecord instance, vec4 p) {
+    return vec3(dot(instance.row0, p), dot(instance.row1, p), dot(instance.row2, p));
+}
+
+// Projected back onto the sphere, the point is right to the rounding of its coordinates however far the ray came.
+vec3 placeOnSphere(uint object, vec3 p, inout Surface s) {
+    vec4 sphere = objectTexel(object, 0u);
+    vec3 outward = normalize(p - sphere.xyz);
+    s.position = sphere.xyz + sphere.w * outward;
+    s.error = kPositionError * (largestCoordinate(sphere.xyz) + sphere.w);
+    return outward;
+}
+
+vec3 placeOnPlane(uint object, vec3 p, inout Surface s) {
+    vec4 plane = objectTexel(object, 0u);
+    s.position = p + (plane.w - dot(plane.xyz, p)) * plane.xyz;
+    s.error = kPlaneError * dot(abs(plane.xyz), abs(p));
+    return plane.xyz;
+}
+
+// A face of a quadric's box, in the space of the form.
+vec3 placeOnFace(QuadricForm form, uint part, vec4 rows[3], vec3 center, vec3 p, inout Surface s) {
+    uint axis = (part - 1u) >> 1u;
+    bool high = ((part - 1u) & 1u) != 0u;
+    vec4 row = rows[axis];
+    float side = high ? form.high[axis] : form.low[axis];
+    float scale = dot(row.xyz, row.xyz);
+    s.position = p + ((side - dot(row.xyz, p - center)) / scale) * row.xyz;
+    s.error = 2.0 * kPlaneError * (dot(abs(row.xyz), abs(p) + abs(center)) + abs(side)) / sqrt(scale);
+    return row.xyz * ((high ? 1.0 : -1.0) / sqrt(scale));
+}
+
+// How far off the surface a point may be whose distance is `value` (rounding included) over a slope `slope` [1/m]; at
+// the apex of a cone, where the slope vanishes, not more than `most`.
+float errorOver(float value, float slope, float most) {
+    return value < slope * most ? value / slope : most;
+}
+
+// One step of Newton's method along the gradient puts the point on the surface, up to what rounding leaves of q: a few
+// times 2^-24 of the sum of its terms.
+vec3 placeOnQuadric(uint object, Ray ray, uint part, vec3 p, inout Surface s) {
+    vec4 rows[3] = vec4[3](objectTexel(object, 0u), objectTexel(object, 1u), objectTexel(object, 2u));
+    vec3 center = vec3(rows[0].w, rows[1].w, rows[2].w);
+    QuadricForm form = quadricForm(object);
+    if (part != kPartForm) {
+        return placeOnFace(form, part, rows, center, p, s);
+    }
+    vec3 fromCenter = p - center;
+    vec3 local = toLocal(rows[0], rows[1], rows[2], fromCenter);
+    vec3 halfGradient = timesSymmetric(form.diagonal, form.offDiagonal, local) + form.linear;
+    float q = dot(local, halfGradient + form.linear) + form.constant;
+    vec3 gradient = 2.0 * (halfGradient.x * rows[0].xyz + halfGradient.y * rows[1].xyz + halfGradient.z * rows[2].xyz);
+    float slope = length(gradient);
+
+    vec3 localTerms = vec3(dot(abs(rows[0].xyz), abs(fromCenter)), dot(abs(rows[1].xyz), abs(fromCenter)),
+                           dot(abs(rows[2].xyz), abs(fromCenter)));
+    vec3 gradientTerms = timesSymmetric(abs(form.diagonal), abs(form.offDiagonal), localTerms) + abs(form.linear);
+    float terms = dot(localTerms, gradientTerms + abs(form.linear)) + abs(form.constant);
+    float size = largestCoordinate(fromCenter);
+    float most = kLargestError * size;
+    s.error = kFormError * largestCoordinate(max(abs(p), abs(center))) + errorOver(kFormError * terms, slope, most);
+    s.position = p - (sign(q) * errorOver(abs(q), slope, most) / max(slope, kTiny)) * gradient;
+    return slope > 0.0 ? gradient / slope : -ray.direction;
+}
+
+vec3 placeOnTorus(uint object, vec3 p, inout Surface s) {
+    vec4 rows[3] = vec4[3](objectTexel(object, 0u), objectTexel(object, 1u), objectTexel(object, 2u));
+    vec2 radii = objectTexel(object, 4u).xy;
+    vec3 center = vec3(rows[0].w, rows[1].w, rows[2].w);
+    vec3 local = toLocal(rows[0], rows[1], rows[2], p - center);
+    float fromAxis = length(local.xz);
+    vec2 fromRing = vec2(fromAxis - radii.x, local.y);
+    float distance = length(fromRing);
+    vec2 slope2 = fromRing / distance;
+    vec2 axial = slope2.x * local.xz / fromAxis;
+    vec3 gradient = axial.x * rows[0].xyz + slope2.y * rows[1].xyz + axial.y * rows[2].xyz;
+    float slope = length(gradient);
+    s.position = p - ((distance - radii.y) / (slope * slope)) * gradient;
+    s.error = kFormError * (largestCoordinate(max(abs(p), abs(center))) + (radii.x + radii.y) / slope);
+    return gradient / slope;
+}
+
+// Also sets the normal, smoothed where the mesh has normals.
+vec3 placeOnTriangle(Hit hit, bool smoothed, NormalArray normals, InstanceArray instances, inout Surface s) {
+    GeometryRecord triangle = geometryRecord(hit.primitive);
+    vec3 a = uintBitsToFloat(triangle.a.xyz);
+    vec3 b = uintBitsToFloat(triangle.b.xyz);
+    vec3 c = uintBitsToFloat(triangle.c.xyz);
+    vec3 weights = vec3(1.0 - hit.uv.x - hit.uv.y, hit.uv);
+    vec3 p = weights.x * a + weights.y * b + weights.z * c;
+    InstanceRecord instance = instances.at[hit.object];
+    s.position = toWorld(instance, vec4(p, 1.0));
+    vec3 terms = abs(instance.row0.xyz) * abs(p.x) + abs(instance.row1.xyz) * abs(p.y)
+               + abs(instance.row2.xyz) * abs(p.z)
+               + abs(vec3(instance.row0.w, instance.row1.w, instance.row2.w));
+    s.error = kTransformedPositionError * largestCoordinate(max(terms, abs(s.position)));
+    // Normals transform by the inverse transpose: the rows of world-to-object, which the object table holds
+    mat3 rows = mat3(objectTexel(hit.object, 0u).xyz, objectTexel(hit.object, 1u).xyz, objectTexel(hit.object, 2u).xyz);
+    vec3 outward = normalize(rows * cross(b - a, c - a));
+    s.normal = outward;
+    if (!smoothed) {
+        return outward;
+    }
+    vec3 smoothNormal = weights.x * normals.at[3u * hit.primitive] + weights.y * normals.at[3u * hit.primitive + 1u]
+                      + weights.z * normals.at[3u * hit.primitive + 2u];
+    s.normal = dot(smoothNormal, smoothNormal) > 0.0 ? normalize(rows * smoothNormal) : outward;
+    return outward;
+}
+
+// Coordinates for textures. Spheres: longitude from -z by way of -x and latitude from -y to +y, in world directions;
+// disks: the square around them. Shapes without coordinates have (0, 0).
+vec2 textureCoordinates(uint type, Hit hit, vec3 outward) {
+    if (isShape(type, kShapeMesh)) {
+        vec4 first = texelFetch(coordinateTable, int(kTexelsPerCoordinates * hit.primitive));
+        vec2 third = texelFetch(coordinateTable, int(kTexelsPerCoordinates * hit.primitive + 1u)).xy;
+        return (1.0 - hit.uv.x - hit.uv.y) * first.xy + hit.uv.x * first.zw + hit.uv.y * third;
+    }
+    if (isShape(type, kShapeSphere)) {
+        float level = sqrt(outward.x * outward.x + outward.z * outward.z);
+        return vec2(0.5 + angleInTurns(outward.x, outward.z), 0.5 + 2.0 * angleInTurns(outward.y, level));
+    }
+    if (isShape(type, kShapeDisk)) {
+        return 0.5 * hit.uv + 0.5;
+    }
+    return isShape(type, kShapeQuad) ? hit.uv : vec2(0.0);
+}
+
+Surface surfaceAt(Ray ray, Hit hit, NormalArray normals, InstanceArray instances) {
+    ObjectHeader header = objectHeader(hit.object);
+    Surface s;
+    bool isLeaf = sceneHas(kShapeCsg) && (header.type & kShapeLeaf) != 0u;
+    s.object = isLeaf ? header.light : hit.object;
+    s.material = header.material;
+    s.light = isLeaf ? kNone : header.light;
+    vec3 p = ray.origin + hit.t * ray.direction;
+    bool enters = isLeaf && (hit.primitive & kHitEnters) != 0u;
+    hit.primitive &= ~kHitEnters;
+    vec3 outward;
+    if (isShape(header.type, kShapeMesh)) {
+        outward = placeOnTriangle(hit, (header.type & kShapeSmooth) != 0u, normals, instances, s);
+    } else {
+        if (isShape(header.type, kShapeSphere)) {
+            outward = placeOnSphere(hit.object, p, s);
+        } else if (isShape(header.type, kShapeQuadric)) {
+            outward = placeOnQuadric(hit.object, ray, hit.primitive, p, s);
+        } else if (isShape(header.type, kShapeTorus)) {
+            outward = placeOnTorus(hit.object, p, s);
+        } else {
+            outward = placeOnPlane(hit.object, p, s);
+        }
+        s.normal = outward;
+    }
+    s.uv = kTextures != 0u ? textureCoordinates(header.type, hit, outward) : vec2(0.0);
+    if (isLeaf) {
+        // Where the ray met the solid, not where it would have met this leaf: at an edge the two differ by a place (see
+        // csg.glsl). No error: a ray that leaves a solid knows on which side it starts
+        s.position = p;
+        s.error = 0.0;
+    }
+    if (isLeaf && (header.type & kShapeReversed) != 0u) {
+        outward = -outward;
+        s.normal = -s.normal;
+    }
+    s.front = isLeaf ? enters : dot(ray.direction, outward) < 0.0; // of CSG the walk knows, however the ray grazes
+    s.geometricNormal = s.front ? outward : -outward;
+    s.normal = s.front ? s.normal : -s.normal;
+    return s;
+}
+
+// What a ray that leaves the surface knows of it; `through`: to the side where the arriving ray was not.
+uint leaving(Surface s, bool through) {
+    return (1u + s.object) | (s.front == through ? kRayInside : 0u);
+}
+
+// A ray from the surface in `direction`, moved off it to the side it goes to by what the position may be wrong.
+Ray leaveSurface(Surface s, vec3 direction, bool through) {
+    float side = dot(direction, s.geometricNormal) < 0.0 ? -1.0 : 1.0;
+    return Ray(s.position + (side * s.error) * s.geometricNormal, kInfinity, direction, leaving(s, through));
+}
+#endif

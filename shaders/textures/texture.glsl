@@ -1,0 +1,62 @@
+// Textures: what they are at a point of a surface, and the materials that they colour.
+#ifndef HYALITE_TEXTURE_GLSL
+#define HYALITE_TEXTURE_GLSL
+#include "textures/custom_texture.glsl"
+#include "shapes/surface.glsl"
+
+// Cells of a checker in the world begin this share of a cell before the multiples of its edge: a surface that lies in
+// such a plane is of one colour, whatever the rounding.
+const float kCheckerShift = 0.0009765625; // 2^-10
+
+bool isOdd(float whole) {
+    return whole != 2.0 * floor(0.5 * whole);
+}
+
+// A texel of an image that repeats; `at` is at most one image away.
+vec3 imageTexel(uint first, ivec2 size, ivec2 at) {
+    at += mix(ivec2(0), size, lessThan(at, ivec2(0))) - mix(ivec2(0), size, greaterThanEqual(at, size));
+    return texelFetch(textureTable, int(first) + at.y * size.x + at.x).xyz;
+}
+
+// Bilinear between the middles of the texels; row 0 is on top, v points up.
+vec3 imageAt(uint first, ivec2 size, vec2 uv) {
+    vec2 inImage = uv - floor(uv);
+    vec2 place = vec2(inImage.x, 1.0 - inImage.y) * vec2(size) - 0.5;
+    vec2 corner = floor(place);
+    vec2 part = place - corner;
+    ivec2 at = ivec2(corner);
+    vec3 above = mix(imageTexel(first, size, at), imageTexel(first, size, at + ivec2(1, 0)), part.x);
+    vec3 below = mix(imageTexel(first, size, at + ivec2(0, 1)), imageTexel(first, size, at + ivec2(1, 1)), part.x);
+    return mix(above, below, part.y);
+}
+
+vec3 textureAt(uint texture_, Surface s) {
+    vec4 head = texelFetch(textureTable, int(kTexelsPerTexture * texture_));
+    uvec4 bits = floatBitsToUint(head);
+    if (bits.x == kTextureImage) {
+        return imageAt(bits.y, ivec2(bits.zw), s.uv);
+    }
+    vec4 rest = texelFetch(textureTable, int(kTexelsPerTexture * texture_ + 1u));
+    if (bits.x == kTextureCustom) {
+        return clamp(customTexture(bits.y, s.position, s.uv, rest), 0.0, 1.0);
+    }
+    vec3 place = bits.x == kTextureCheckerWorld ? s.position * rest.x + kCheckerShift : vec3(s.uv * rest.x, 0.0);
+    vec3 cell = floor(place);
+    return isOdd(cell.x + cell.y + cell.z) ? rest.yzw : head.yzw;
+}
+
+MaterialRecord texturedMaterial(MaterialRecord material, Surface s) {
+    if (kTextures == 0u) {
+        return material;
+    }
+    if (material.colorTexture != kNone) {
+        material.color *= textureAt(material.colorTexture, s);
+    }
+    if (material.roughnessTexture != kNone) {
+        vec3 factors = textureAt(material.roughnessTexture, s);
+        material.roughness *= factors.g;
+        material.metallic *= factors.b;
+    }
+    return material;
+}
+#endif
