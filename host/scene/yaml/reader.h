@@ -19,8 +19,8 @@ namespace hyalite {
 
 // The numbers a key may hold; each end may be part of the range or not. `unit` is for the message.
 struct Range {
-    double low;
-    double high;
+    double low = 0;
+    double high = 0;
     bool lowIncluded = true;
     bool highIncluded = true;
     std::string_view unit = {};
