@@ -145,7 +145,7 @@ void printReport(const RenderReport& report, const ReportStyle& style) {
         return;
     }
     if (style.profile) {
-        std::cout << stageTable(report) << photonTable(report);
+        std::cout << stageTable(report) << memoryTable(report) << photonTable(report);
     }
     if (!style.quiet) {
         for (const std::string& output : report.outputs) {

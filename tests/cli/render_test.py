@@ -183,6 +183,19 @@ class Reports(RenderTest):
         self.assertTrue(all(stage["dispatches"] > 0 for stage in stages.values()), stages)
         self.assertLess(sum(stage["seconds"] for stage in stages.values()), report["seconds"]["total"])
 
+    def test_profile_prints_the_sizes_of_the_buffers(self):
+        options = [*SMALL, *TWO_PASSES, "--profile", "-o", "x.png"]
+        table = self.succeed("render", self.cornell, *options, "--quiet")
+        report = self.succeed_json("render", self.cornell, *options)
+        sizes = report["buffer_bytes"]
+        listed = dict(re.findall(r"^(\S.*?) +([\d.]+)$", table[table.index("buffer ") :].partition("all buffers")[0], re.MULTILINE))
+        # Those of at least one per cent, the largest first, in mebibytes to one digit
+        total = sum(sizes.values())
+        expected = {name: f"{size / 2**20:.1f}" for name, size in sizes.items() if 100 * size >= total}
+        self.assertEqual(listed, expected)
+        self.assertEqual(list(listed), sorted(listed, key=lambda name: -sizes[name]))
+        self.assertRegex(table, rf"(?m)^all buffers +{total / 2**20:.1f} ")
+
     def test_profile_prints_a_table_with_every_kernel_that_ran(self):
         # These together run every kernel but those of the start-up test, the tests and the live page, and clear buffers in
         # between.
