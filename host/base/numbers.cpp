@@ -1,6 +1,7 @@
 // See numbers.h.
 #include "base/numbers.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <limits>
@@ -15,6 +16,27 @@ std::string_view withoutPlus(std::string_view text) {
         text.remove_prefix(1);
     }
     return text;
+}
+
+// Whether a decimal number that no double can hold is too large for one, or else too small: the power of ten of its
+// first digit that is not 0 says which. `text` is digits with at most one point, and an exponent perhaps.
+bool isTooLarge(std::string_view text) {
+    const std::size_t mark = std::min(text.find_first_of("eE"), text.size());
+    const std::string_view mantissa = text.substr(0, mark);
+    const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
+    const std::size_t leading = mantissa.find_first_of("123456789");
+    if (leading == std::string_view::npos) {
+        return false;
+    }
+    const auto placed =
+        static_cast<std::int64_t>(point) - static_cast<std::int64_t>(leading) - (leading < point ? 1 : 0);
+    std::string_view digits = withoutPlus(text.substr(std::min(mark + 1, text.size())));
+    std::int64_t exponent = 0;
+    if (std::from_chars(digits.data(), digits.data() + digits.size(), exponent).ec ==
+        std::errc::result_out_of_range) { // no mantissa is long enough to make up for it
+        return digits.front() != '-';
+    }
+    return placed + exponent >= 0;
 }
 
 } // namespace
@@ -41,8 +63,8 @@ std::optional<double> parseNumber(std::string_view text) {
         return std::nullopt;
     }
     if (error == std::errc::result_out_of_range) {
-        const bool tiny = text.find("e-") != std::string_view::npos || text.find("E-") != std::string_view::npos;
-        return tiny ? 0.0 : std::numeric_limits<double>::infinity() * (negative ? -1 : 1);
+        const double limit = isTooLarge(magnitude) ? std::numeric_limits<double>::infinity() : 0.0;
+        return negative ? -limit : limit;
     }
     return value;
 }

@@ -57,6 +57,26 @@ TEST_CASE("numbers are read whole, in every form that YAML and mesh files use") 
     }
 }
 
+TEST_CASE("a number that no double can hold is infinite or nothing by its size, however it is written") {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const std::string zeros(400, '0');
+    CHECK(parseNumber("0." + zeros + "1") == 0.0); // 10^-401
+    CHECK(parseNumber("-0." + zeros + "1") == 0.0);
+    CHECK(parseNumber("0." + zeros + "1e-3") == 0.0);
+    CHECK(parseNumber("0." + zeros + "1E+20") == 0.0); // 10^-381
+    CHECK(parseNumber("+." + zeros + "1") == 0.0);
+    CHECK(parseNumber("1" + zeros) == kInfinity); // 10^400
+    CHECK(parseNumber("-1" + zeros + ".5") == -kInfinity);
+    CHECK(parseNumber("1" + zeros + "e-20") == kInfinity); // 10^380
+    CHECK(parseNumber("000" + zeros + "1e400") == kInfinity);
+    CHECK(parseNumber("0." + zeros + "1e800") == kInfinity); // 10^399
+    CHECK(parseNumber("1e99999999999999999999") == kInfinity);
+    CHECK(parseNumber("1e-99999999999999999999") == 0.0);
+    // What is long and yet of ordinary size
+    CHECK(parseNumber("0." + zeros + "1e401") == 1.0);
+    CHECK(parseNumber("1" + zeros + "e-400") == 1.0);
+}
+
 TEST_CASE("a number is shown as briefly as it reads back") {
     CHECK(numberText(0.1) == "0.1");
     CHECK(numberText(65536) == "65536");
