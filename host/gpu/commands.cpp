@@ -1,6 +1,7 @@
 // Records dispatches with a barrier after each, submits them in portions, and reads the timestamps back.
 #include "gpu/commands.h"
 
+#include "base/numbers.h"
 #include "gpu/buffer_impl.h"
 #include "gpu/checked_kernels.h"
 #include "gpu/kernel_impl.h"
@@ -148,16 +149,15 @@ void Commands::Impl::addTimes() {
 }
 
 void Commands::Impl::wait() const {
-    const auto limit = std::uint64_t(1e9 * std::max(0.0, context.watchdog.limit));
-    const vk::Result result = context.device.waitForFences(*fence, VK_TRUE, limit);
+    const vk::Result result = context.device.waitForFences(*fence, VK_TRUE, nanoseconds(context.watchdog.limit));
     if (result == vk::Result::eTimeout) {
         std::string names;
         for (const std::string& stage : stages) {
             names += (names.empty() ? "" : ", ") + stage;
         }
         const Error stuck(ExitCode::Device,
-                          context.info.name + " has not finished within " +
-                              std::to_string(std::uint64_t(context.watchdog.limit)) + " s (stages " + names + ')',
+                          context.info.name + " has not finished within " + numberText(context.watchdog.limit) +
+                              " s (stages " + names + ')',
                           "it hangs, or the work is too much for it: --device-timeout allows more; a checkpoint keeps "
                           "what was done before");
         if (context.watchdog.onStuck) {
