@@ -1,8 +1,6 @@
 // Rewrites GLSL by its brackets: enough for what our shaders hold, and a kernel that it breaks does not compile.
 #include "gpu/checked_kernels.h"
 
-#include "gpu/shader_sources.h"
-
 #include <cctype>
 #include <regex>
 #include <set>
@@ -169,15 +167,6 @@ std::string withBoundChecks(const std::string& text, std::uint32_t file) {
     }
     flush();
     return rewritten;
-}
-
-std::vector<std::string> sourcesOf(const ShaderCompiler& compiler, const std::string& kernel) {
-    std::vector<std::string> names;
-    const ShaderSources sources(compiler.shaders());
-    for (const auto& [path, text] : sources.reach(compiler.shaders() / "kernels" / (kernel + ".comp"))) {
-        names.push_back(std::filesystem::path(path).lexically_relative(compiler.shaders().lexically_normal()).string());
-    }
-    return names;
 }
 
 } // namespace hyalite::gpu

@@ -3,10 +3,8 @@
 // source line and thread, and reads or writes element 0 instead.
 #pragma once
 
-#include "gpu/shader_compiler.h"
-
+#include <cstdint>
 #include <string>
-#include <vector>
 
 namespace hyalite::gpu {
 
@@ -24,8 +22,5 @@ inline constexpr std::uint32_t kCheckBinding = 31;
 // checkedTexel(t, i, site))`. A site is the line, and above kSiteLineBits `file`.
 inline constexpr std::uint32_t kSiteLineBits = 16;
 [[nodiscard]] std::string withBoundChecks(const std::string& text, std::uint32_t file);
-
-// The files that a kernel is made of, in the order of their numbers in sites.
-[[nodiscard]] std::vector<std::string> sourcesOf(const ShaderCompiler& compiler, const std::string& kernel);
 
 } // namespace hyalite::gpu

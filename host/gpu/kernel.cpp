@@ -61,14 +61,14 @@ vk::raii::Pipeline makePipeline(const vk::raii::Device& device, vk::PipelineLayo
 }
 
 std::shared_ptr<const Kernel::Impl> make(const Context::Impl& context, const TexelTables::Impl& tables,
-                                         const ShaderCompiler& compiler, const std::string& name,
+                                         const KernelCompiler& compiler, const std::string& name,
                                          const Specialization& specialization) {
     auto kernel = std::make_shared<Kernel::Impl>();
     kernel->name = name;
     const SpirV spirv = compiler.compile(name);
     kernel->interface = reflect(spirv);
     if constexpr (kCheckedKernels) {
-        kernel->sources = sourcesOf(compiler, name);
+        kernel->sources = compiler.sourceFiles(name);
     }
     const std::filesystem::path source = compiler.shaders() / "kernels" / (name + ".comp");
     checkInterface(*kernel, context, tables.views.size(), {.file = source.string()});
@@ -91,14 +91,14 @@ std::shared_ptr<const Kernel::Impl> make(const Context::Impl& context, const Tex
 
 } // namespace
 
-Kernel::Kernel(const Context& context, const TexelTables& tables, const ShaderCompiler& compiler,
+Kernel::Kernel(const Context& context, const TexelTables& tables, const KernelCompiler& compiler,
                const std::string& name, const Specialization& specialization) {
     std::promise<Made> made;
     made.set_value(make(context.impl(), tables.impl(), compiler, name, specialization));
     impl_ = made.get_future().share();
 }
 
-Kernel Kernel::inBackground(const Context& context, const TexelTables& tables, const ShaderCompiler& compiler,
+Kernel Kernel::inBackground(const Context& context, const TexelTables& tables, const KernelCompiler& compiler,
                             std::string name, const Specialization& specialization) {
     return Kernel(std::async(std::launch::async, [&context = context.impl(), &tables = tables.impl(), &compiler,
                                                   name = std::move(name), specialization] {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gpu/buffer.h"
-#include "gpu/shader_compiler.h"
+#include "gpu/kernel_compiler.h"
 
 #include <future>
 #include <map>
@@ -38,13 +38,13 @@ using Specialization = std::map<std::string, std::uint32_t>;
 // Copies are the same pipeline.
 class Kernel {
 public:
-    Kernel(const Context& context, const TexelTables& tables, const ShaderCompiler& compiler, const std::string& name,
+    Kernel(const Context& context, const TexelTables& tables, const KernelCompiler& compiler, const std::string& name,
            const Specialization& specialization = {});
 
     // The same, but another core makes it while the caller goes on: what is wrong with it is thrown where it is first
     // used. The arguments must outlive the kernel and its copies.
     [[nodiscard]] static Kernel inBackground(const Context& context, const TexelTables& tables,
-                                             const ShaderCompiler& compiler, std::string name,
+                                             const KernelCompiler& compiler, std::string name,
                                              const Specialization& specialization = {});
 
     // These wait until it is made.

@@ -9,7 +9,7 @@ namespace hyalite::gpu {
 struct Kernel::Impl {
     std::string name;
     KernelInterface interface;
-    std::vector<std::string> sources; // in the checked build: see sourcesOf
+    std::vector<std::string> sources; // in the checked build: see KernelCompiler::sourceFiles
     vk::raii::PipelineLayout layout = nullptr;
     vk::raii::Pipeline pipeline = nullptr;
 };

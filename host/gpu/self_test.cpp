@@ -47,7 +47,7 @@ void check(bool right, const DeviceInfo& device, const std::string& what) {
 
 } // namespace
 
-void selfTest(const Context& context, const ShaderCompiler& compiler) {
+void selfTest(const Context& context, const KernelCompiler& compiler) {
     constexpr std::uint32_t count = shared::kSelfTestCount;
     const Array<SelfTestRecord> records(context, count, "self-test records");
     const Array<shared::vec4> texels(context, count, "self-test texels");

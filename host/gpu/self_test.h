@@ -2,13 +2,13 @@
 #pragma once
 
 #include "gpu/context.h"
-#include "gpu/shader_compiler.h"
+#include "gpu/kernel_compiler.h"
 
 namespace hyalite::gpu {
 
 // Runs kernels/self_test.comp: a loop longer than 65 535 rounds, texel fetches, reads of an unaligned struct. Throws
 // Error(Device) that says what came out wrong and what to install: Mesa's lavapipe before version 23 cuts long loops
 // off without a word. Call it once before the first render on a Context.
-void selfTest(const Context& context, const ShaderCompiler& compiler);
+void selfTest(const Context& context, const KernelCompiler& compiler);
 
 } // namespace hyalite::gpu

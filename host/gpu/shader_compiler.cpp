@@ -12,6 +12,7 @@
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
 #include <glslang/build_info.h>
+#include <spirv-tools/libspirv.h>
 
 namespace hyalite::gpu {
 namespace {
@@ -126,15 +127,16 @@ SpirV compileSource(const std::string& kernel, const fs::path& file, const Shade
     return inlineFunctions(std::move(spirv));
 }
 
-std::string compilerVersion() {
-    return "glslang " + std::to_string(GLSLANG_VERSION_MAJOR) + '.' + std::to_string(GLSLANG_VERSION_MINOR) + '.' +
-           std::to_string(GLSLANG_VERSION_PATCH);
-}
-
 } // namespace
 
-ShaderCompiler::ShaderCompiler(fs::path shaders, fs::path cache, fs::path shipped)
-    : shaders_(std::move(shaders)), cache_(std::move(cache)), shipped_(std::move(shipped)) {}
+std::string compilerVersions() {
+    return "glslang " + std::to_string(GLSLANG_VERSION_MAJOR) + '.' + std::to_string(GLSLANG_VERSION_MINOR) + '.' +
+           std::to_string(GLSLANG_VERSION_PATCH) + ", SPIRV-Tools " + spvSoftwareVersionString();
+}
+
+ShaderCompiler::ShaderCompiler(fs::path shaders, fs::path cache, fs::path shipped, std::string versions)
+    : shaders_(std::move(shaders)), cache_(std::move(cache)), shipped_(std::move(shipped)),
+      versions_(std::move(versions)) {}
 
 struct ShaderCompiler::Sources {
     ShaderSources folder;
@@ -156,7 +158,7 @@ ShaderCompiler::Sources ShaderCompiler::sourcesOf(const std::string& kernel) con
             found->second = text;
         }
     }
-    std::string key = std::string(kCacheFormat) + '\n' + compilerVersion() + '\n';
+    std::string key = std::string(kCacheFormat) + '\n' + versions_ + '\n';
     for (const auto& [path, text] : sources.texts) {
         // Where the folder stands does not matter, what it holds does.
         key += fs::path(path).lexically_relative(shaders_.lexically_normal()).string() + '\n' +
@@ -195,7 +197,7 @@ SpirV ShaderCompiler::compile(const std::string& kernel) const {
 
 SpirV ShaderCompiler::specialized(const std::string& kernel, const SpirV& spirv,
                                   const std::map<std::uint32_t, std::uint32_t>& constants) const {
-    std::string key = std::string(kCacheFormat) + '\n';
+    std::string key = std::string(kCacheFormat) + '\n' + versions_ + '\n';
     for (const auto& [id, value] : constants) {
         key += std::to_string(id) + ' ' + std::to_string(value) + '\n';
     }
@@ -208,6 +210,14 @@ SpirV ShaderCompiler::specialized(const std::string& kernel, const SpirV& spirv,
     SpirV result = specialize(spirv, constants);
     cache.store(name, result);
     return result;
+}
+
+std::vector<std::string> ShaderCompiler::sourceFiles(const std::string& kernel) const {
+    std::vector<std::string> names;
+    for (const auto& [path, text] : sourcesOf(kernel).texts) {
+        names.push_back(fs::path(path).lexically_relative(shaders_.lexically_normal()).string());
+    }
+    return names;
 }
 
 std::uint64_t ShaderCompiler::hashOfSources() const {

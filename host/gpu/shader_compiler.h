@@ -1,48 +1,44 @@
 // GLSL kernels to SPIR-V at run time, by the glslang library, with #include and a cache on disk.
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <map>
+#include "gpu/kernel_compiler.h"
+
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace hyalite::gpu {
 
-using SpirV = std::vector<std::uint32_t>;
+// Name and version of every library that makes SPIR-V here: glslang, and SPIRV-Tools, which optimizes.
+[[nodiscard]] std::string compilerVersions();
 
-class ShaderCompiler {
+class ShaderCompiler final : public KernelCompiler {
 public:
     // `shaders`: the folder that holds kernels/, lib/ and shared/. `cache`: where compiled kernels are kept, named by
-    // a hash of all their source text and of the compiler's version; empty: no cache. `shipped`: a folder of the same
-    // kind that is only read.
+    // a hash of all their source text and of `versions`; empty: no cache. `shipped`: a folder of the same kind that is
+    // only read.
     explicit ShaderCompiler(std::filesystem::path shaders, std::filesystem::path cache = {},
-                            std::filesystem::path shipped = {});
-    virtual ~ShaderCompiler() = default;
-    ShaderCompiler(const ShaderCompiler&) = default;
-    ShaderCompiler& operator=(const ShaderCompiler&) = default;
+                            std::filesystem::path shipped = {}, std::string versions = compilerVersions());
 
     // From now on these texts stand in place of files of the shaders folder, named relative to it.
     void replace(std::map<std::string, std::string> texts) { replaced_ = std::move(texts); }
 
-    // Compiles kernels/<kernel>.comp. #include "lib/x.glsl" is looked for beside the including file, then in the
-    // shaders folder. Throws Error(BadInput) at file:line of the source that is wrong, naming the kernel.
-    [[nodiscard]] virtual SpirV compile(const std::string& kernel) const;
+    // #include "lib/x.glsl" is looked for beside the including file, then in the shaders folder.
+    [[nodiscard]] SpirV compile(const std::string& kernel) const override;
 
     // What the kernel is called in the cache: another name whenever any text that it reaches is another. Throws
     // Error(BadInput) where it is not there.
     [[nodiscard]] std::string nameInCache(const std::string& kernel) const;
     [[nodiscard]] std::optional<SpirV> fromCache(const std::string& nameInCache) const;
 
-    // What compile(kernel) gave, with values for its specialization constants, by id; kept in the cache, too.
+    // The result is kept in the cache, too.
     [[nodiscard]] SpirV specialized(const std::string& kernel, const SpirV& spirv,
-                                    const std::map<std::uint32_t, std::uint32_t>& constants) const;
+                                    const std::map<std::uint32_t, std::uint32_t>& constants) const override;
+
+    [[nodiscard]] std::vector<std::string> sourceFiles(const std::string& kernel) const override;
 
     // A number that changes with any source below the shaders folder.
     [[nodiscard]] std::uint64_t hashOfSources() const;
 
-    [[nodiscard]] const std::filesystem::path& shaders() const { return shaders_; }
+    [[nodiscard]] const std::filesystem::path& shaders() const override { return shaders_; }
 
 private:
     struct Sources;
@@ -51,6 +47,7 @@ private:
     std::filesystem::path shaders_;
     std::filesystem::path cache_;
     std::filesystem::path shipped_;
+    std::string versions_;
     std::map<std::string, std::string> replaced_;
 };
 

@@ -2,9 +2,11 @@
 // cannot read it does not have, what it cannot write it leaves.
 #pragma once
 
-#include "gpu/shader_compiler.h"
+#include "gpu/spirv.h"
 
+#include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace hyalite::gpu {

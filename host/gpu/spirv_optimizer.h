@@ -2,7 +2,7 @@
 // cache.
 #pragma once
 
-#include "gpu/shader_compiler.h"
+#include "gpu/spirv.h"
 
 #include <map>
 

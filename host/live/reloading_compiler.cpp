@@ -5,13 +5,13 @@ namespace hyalite::live {
 ReloadingCompiler::ReloadingCompiler(std::filesystem::path shaders, std::filesystem::path cache,
                                      std::filesystem::path shipped, KernelVersions versions,
                                      std::function<void(const std::string&, const std::string&)> onCompiled)
-    : ShaderCompiler(std::move(shaders), std::move(cache), std::move(shipped)), onCompiled_(std::move(onCompiled)),
+    : compiler_(std::move(shaders), std::move(cache), std::move(shipped)), onCompiled_(std::move(onCompiled)),
       versions_(std::move(versions)) {}
 
 gpu::SpirV ReloadingCompiler::compile(const std::string& kernel) const {
     bool isBad = false;
     try {
-        const std::string name = nameInCache(kernel);
+        const std::string name = compiler_.nameInCache(kernel);
         {
             const std::scoped_lock lock(mutex_);
             sources_[kernel] = name;
@@ -20,7 +20,7 @@ gpu::SpirV ReloadingCompiler::compile(const std::string& kernel) const {
         if (isBad) {
             throw Error(ExitCode::Device, "kernel '" + kernel + "' hung or crashed");
         }
-        gpu::SpirV spirv = ShaderCompiler::compile(kernel);
+        gpu::SpirV spirv = compiler_.compile(kernel);
         onCompiled_(kernel, name);
         const std::scoped_lock lock(mutex_);
         running_[kernel] = name;
@@ -41,7 +41,7 @@ gpu::SpirV ReloadingCompiler::lastGood(const std::string& kernel, const Error& w
         const auto good = versions_.good.find(kernel);
         name = good == versions_.good.end() ? std::string() : good->second;
     }
-    std::optional<gpu::SpirV> spirv = name.empty() ? std::nullopt : fromCache(name);
+    std::optional<gpu::SpirV> spirv = name.empty() ? std::nullopt : compiler_.fromCache(name);
     if (!spirv) {
         throw Error(why);
     }
@@ -61,7 +61,7 @@ std::set<std::string> ReloadingCompiler::takeChanged() {
     for (const auto& [kernel, name] : before) {
         std::string now;
         try {
-            now = nameInCache(kernel);
+            now = compiler_.nameInCache(kernel);
         } catch (const Error&) {
             now.clear(); // compiling it says what is wrong
         }

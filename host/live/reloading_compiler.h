@@ -19,14 +19,25 @@ struct KernelVersions {
     std::set<std::string> bad;               // that hung or crashed
 };
 
-class ReloadingCompiler final : public gpu::ShaderCompiler {
+class ReloadingCompiler final : public gpu::KernelCompiler {
 public:
     // `onCompiled`: called, from any thread, with each kernel and the version of it that will run.
     ReloadingCompiler(std::filesystem::path shaders, std::filesystem::path cache, std::filesystem::path shipped,
                       KernelVersions versions, std::function<void(const std::string&, const std::string&)> onCompiled);
 
+    // See gpu::ShaderCompiler.
+    void replace(std::map<std::string, std::string> texts) { compiler_.replace(std::move(texts)); }
+
     // Throws Error(BadInput) where there is no version that compiles.
     [[nodiscard]] gpu::SpirV compile(const std::string& kernel) const override;
+    [[nodiscard]] gpu::SpirV specialized(const std::string& kernel, const gpu::SpirV& spirv,
+                                         const std::map<std::uint32_t, std::uint32_t>& constants) const override {
+        return compiler_.specialized(kernel, spirv, constants);
+    }
+    [[nodiscard]] std::vector<std::string> sourceFiles(const std::string& kernel) const override {
+        return compiler_.sourceFiles(kernel);
+    }
+    [[nodiscard]] const std::filesystem::path& shaders() const override { return compiler_.shaders(); }
 
     // Kernels compiled before whose sources are others now; and forgets their errors.
     [[nodiscard]] std::set<std::string> takeChanged();
@@ -44,6 +55,7 @@ private:
     // `isKnown`: whoever stopped the kernel has said so.
     [[nodiscard]] gpu::SpirV lastGood(const std::string& kernel, const Error& why, bool isKnown) const;
 
+    gpu::ShaderCompiler compiler_; // of the present sources
     std::function<void(const std::string&, const std::string&)> onCompiled_;
     mutable std::mutex mutex_; // of all below
     mutable KernelVersions versions_;

@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 #include "gpu/commands.h"
-#include "gpu/shader_compiler.h"
+#include "gpu/kernel_compiler.h"
 
 #include "shaders/shared/scene_records.h"
 
@@ -16,11 +16,11 @@ namespace hyalite::render {
 
 struct Device {
     const gpu::Context& context;
-    const gpu::ShaderCompiler& compiler;
+    const gpu::KernelCompiler& compiler;
     gpu::TexelTables tables{context, TABLE_COUNT};
     gpu::Commands commands;
 
-    Device(const gpu::Context& c, const gpu::ShaderCompiler& s, bool timed)
+    Device(const gpu::Context& c, const gpu::KernelCompiler& s, bool timed)
         : context(c), compiler(s), commands(c, tables, timed) {}
 
     // Several stages may ask for the same kernel: it is made once, in the background. What is wrong with its source is

@@ -5,6 +5,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
+#include <spirv-tools/libspirv.h>
 
 using namespace hyalite;
 using Catch::Matchers::ContainsSubstring;
@@ -48,6 +49,9 @@ struct CachedKernels {
 };
 
 } // namespace
+
+// What could be copied in part would compile without the part that is lost.
+static_assert(std::is_final_v<ShaderCompiler> && !std::is_copy_constructible_v<gpu::KernelCompiler>);
 
 TEST_CASE("a compile error names the kernel, the file and the line", "[shader]") {
     const TemporaryShaders folder;
@@ -127,6 +131,21 @@ TEST_CASE("a change in an included file is compiled, whatever the cache holds", 
     CHECK(gpu::reflect(kernels.compiler.compile("one")).localSize == 32);
     kernels.folder.write("shared/limits.h", limits);
     CHECK(gpu::reflect(kernels.compiler.compile("one")).localSize == 64);
+}
+
+TEST_CASE("kernels of other versions of the compilers are compiled anew", "[shader]") {
+    const std::string versions = gpu::compilerVersions();
+    CHECK_THAT(versions, ContainsSubstring("glslang ") && ContainsSubstring(spvSoftwareVersionString()));
+    const CachedKernels kernels;
+    const ShaderCompiler newer{kernels.folder.shaders(), kernels.cache, {}, versions + "1"};
+    CHECK(newer.nameInCache("one") != kernels.compiler.nameInCache("one"));
+    CHECK(ShaderCompiler(kernels.folder.shaders(), kernels.cache).nameInCache("one") ==
+          kernels.compiler.nameInCache("one"));
+    // A kernel with values in place of its constants goes through the optimizer, too
+    static_cast<void>(kernels.compiler.specialized("one", kernels.one, {}));
+    const std::size_t kept = filesIn(kernels.cache).size();
+    static_cast<void>(newer.specialized("one", kernels.one, {}));
+    CHECK(filesIn(kernels.cache).size() == kept + 1);
 }
 
 TEST_CASE("a damaged cache entry is compiled anew and mended", "[shader]") {

@@ -1,0 +1,37 @@
+// What a Kernel asks of whoever compiles it.
+#pragma once
+
+#include "gpu/spirv.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace hyalite::gpu {
+
+// Implementations are final: a copy is never a part of one.
+class KernelCompiler {
+public:
+    virtual ~KernelCompiler() = default;
+    KernelCompiler() = default;
+
+    // Compiles kernels/<kernel>.comp. Throws Error(BadInput) at file:line of the source that is wrong, naming the
+    // kernel.
+    [[nodiscard]] virtual SpirV compile(const std::string& kernel) const = 0;
+
+    // What compile(kernel) gave, with values in place of its specialization constants, by id.
+    [[nodiscard]] virtual SpirV specialized(const std::string& kernel, const SpirV& spirv,
+                                            const std::map<std::uint32_t, std::uint32_t>& constants) const = 0;
+
+    // The files that the kernel is made of, relative to shaders(), in the order in which checked builds number them.
+    [[nodiscard]] virtual std::vector<std::string> sourceFiles(const std::string& kernel) const = 0;
+
+    [[nodiscard]] virtual const std::filesystem::path& shaders() const = 0;
+
+protected:
+    KernelCompiler(const KernelCompiler&) = default;
+    KernelCompiler& operator=(const KernelCompiler&) = default;
+};
+
+} // namespace hyalite::gpu
