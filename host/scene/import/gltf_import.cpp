@@ -7,6 +7,7 @@
 #include "scene/import/gltf_nodes.h"
 #include "scene/import/gltf_primitive.h"
 #include "scene/import/polygon_soup.h"
+#include "scene/model/affine.h"
 #include "scene/model/scene_limits.h"
 
 #include <algorithm>
@@ -16,10 +17,10 @@
 namespace hyalite {
 namespace {
 
-// Objects made of one file: a mesh of many primitives under many nodes multiplies.
+// Most objects made of one file: its nodes times the primitives of their meshes.
 constexpr std::size_t kMostParts = std::size_t{1} << 20U;
 
-// Required extensions that leave the shape of what is read as it is.
+// Required extensions that do not change the shape of meshes.
 bool isHarmless(std::string_view extension) {
     constexpr std::array<std::string_view, 4> kKnown{"KHR_mesh_quantization", "KHR_texture_transform",
                                                      "KHR_texture_basisu", "KHR_lights_punctual"};
@@ -47,9 +48,9 @@ ImportedTexture readTexture(GltfDocument& document, const GltfValue& info) {
     const auto extensions = info.find("extensions");
     const auto source = texture.find("source");
     if (set && set->whole() != 0) {
-        imported.refusal = "it asks for another than the first texture coordinates";
+        imported.refusal = "it uses texture coordinates other than the first";
     } else if (extensions && extensions->find("KHR_texture_transform")) {
-        imported.refusal = "it asks for a transform of the texture coordinates";
+        imported.refusal = "it transforms the texture coordinates";
     } else if (!source) {
         imported.refusal = "it has no image in PNG or JPEG";
     } else {
@@ -139,7 +140,7 @@ private:
         }
     }
 
-    // Weights other than 0 move the vertices to where they are not read.
+    // Weights other than 0 move the vertices, which is not supported.
     static void checkMorphing(const GltfValue& primitive, const GltfValue& owner) {
         const auto weights = owner.find("weights");
         for (std::size_t i = 0; primitive.find("targets") && weights && i < weights->size(); ++i) {
@@ -178,7 +179,7 @@ void append(const Mesh& part, const glm::dmat4& toFile, bool smooth, Mesh& mesh)
     const glm::dmat3 normalMap = glm::transpose(glm::inverse(linear));
     const bool isMirrored = glm::determinant(linear) < 0;
     const auto place = [&](const glm::vec3& position) { return glm::vec3(toFile * glm::dvec4(position, 1)); };
-    const auto add = [&](glm::uvec3 triangle) { // a mirror image turns its triangles round
+    const auto add = [&](glm::uvec3 triangle) { // a reflection reverses the orientation of triangles
         mesh.triangles.push_back(isMirrored ? glm::uvec3(triangle.x, triangle.z, triangle.y) : triangle);
     };
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
@@ -232,6 +233,11 @@ Mesh mergeParts(const ImportedFile& file) {
     }
     checkTriangleCount(triangles, mesh.file); // shared meshes count each time
     for (const ImportedPart& part : file.parts) {
+        if (!isInvertible(part.toFile)) {
+            throw Error(ExitCode::BadInput, SourceLocation{.file = mesh.file},
+                        part.name + ": its transforms are singular: they have no inverse",
+                        "a part that has no volume is no part of a solid: remove it, or scale it by another factor");
+        }
         append(file.meshes[part.mesh], part.toFile, isSmooth, mesh);
     }
     return mesh;

@@ -1,9 +1,9 @@
-// glTF 2.0 files (.gltf, .glb): their meshes, where they stand, and what they are made of.
+// glTF 2.0 files (.gltf, .glb): their meshes, placements and materials.
 //
 // Read are the triangles of the default scene with normals and first texture coordinates, and the metallic-roughness
-// materials with their textures. Cameras, lights, animations and points and lines are left; skins, morphed
+// materials with their textures. Cameras, lights, animations, points and lines are skipped; skins, morphed
 // shapes and files that require an extension which changes the shape (compression, for one) are errors. The JSON is
-// read by nlohmann's library; what it says is followed by our own code, which checks every offset.
+// parsed by nlohmann's library; our own code follows its references and checks every offset.
 #pragma once
 
 #include "scene/model/scene.h"
@@ -16,8 +16,8 @@
 
 namespace hyalite {
 
-// Where a texture's image is: a file of its own, or bytes of the glTF file. It is read when a material that shows it is
-// asked for.
+// Where a texture's image is: a file of its own, or bytes of the glTF file. It is read when a material that uses it is
+// first needed.
 struct ImportedTexture {
     std::string place;          // for messages: "textures[2]"
     std::filesystem::path file; // empty: `bytes` are the image
@@ -56,7 +56,8 @@ struct ImportedFile {
 [[nodiscard]] ImportedFile parseGltf(std::string_view bytes, const std::string& file,
                                      const std::filesystem::path& folder);
 
-// All parts as one mesh in the file's space, as CSG wants it; flat parts stay flat. No texture coordinates.
+// All parts as one mesh in the file's space, as CSG wants it; flat parts stay flat. No texture coordinates. Throws
+// Error(BadInput) where a part's transforms have no inverse.
 [[nodiscard]] Mesh mergeParts(const ImportedFile& file);
 
 // The same material as a scene has it.

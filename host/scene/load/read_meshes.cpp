@@ -4,11 +4,11 @@
 #include "base/input_file.h"
 #include "scene/import/mesh_import.h"
 #include "scene/import/teapot.h"
+#include "scene/model/affine.h"
 #include "scene/model/bounds.h"
 #include "scene/model/quadric.h"
 #include "scene/model/scene_limits.h"
 #include "scene/yaml/read_textures.h"
-#include "scene/yaml/read_transform.h"
 
 namespace hyalite {
 namespace {

@@ -2,10 +2,10 @@
 #include "scene/yaml/read_transform.h"
 
 #include "base/spelling.h"
+#include "scene/model/affine.h"
 #include "scene/model/scene_limits.h"
 
 #include <array>
-#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
@@ -78,20 +78,6 @@ glm::dmat4 readStep(const Value& item) {
 }
 
 } // namespace
-
-bool isInvertible(const glm::dmat4& matrix) {
-    const glm::dmat3 linear(matrix);
-    double product = 1;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double stretch = glm::length(linear[axis]);
-        if (!(stretch >= kSmallestLength && stretch <= kLargestLength)) {
-            return false;
-        }
-        product *= stretch;
-    }
-    constexpr double kFlattest = 1e-9; // volume of the unit cube's image over that of a box with the same edges
-    return std::abs(glm::determinant(linear)) >= kFlattest * product;
-}
 
 glm::dmat4 readTransform(const Value& value, const glm::dmat4& around) {
     glm::dmat4 matrix(1);

@@ -7,10 +7,6 @@
 
 namespace hyalite {
 
-// Whether the map has an inverse that floats can hold: no direction is shrunk or stretched beyond the range of
-// lengths, and no two axes fall together.
-[[nodiscard]] bool isInvertible(const glm::dmat4& matrix);
-
 // Object to world, invertible and affine: the product of the list's maps, the first of them applied first, and then of
 // what is around them. Throws Error(BadInput).
 [[nodiscard]] glm::dmat4 readTransform(const Value& value, const glm::dmat4& around = glm::dmat4(1));

@@ -255,6 +255,23 @@ TEST_CASE("the parts of a glTF file merge into one mesh whose fronts and normals
     }
 }
 
+TEST_CASE("a part of no volume is an error of a merged glTF file, with its place") {
+    Gltf gltf = pyramidGltf();
+    const std::size_t normals = gltf.addPositions(std::vector<glm::vec3>(5, {0, 0, 3}));
+    gltf.document["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = normals;
+    for (const json& scale : {json{0, 0, 0}, json{1, 0, 1}, json{1e-300, 1, 1}}) {
+        // The second node's scale is its child's, too
+        gltf.document["scenes"][0]["nodes"] = {0, 1};
+        gltf.document["nodes"] = {{{"mesh", 0}}, {{"scale", scale}, {"children", {2}}}, {{"mesh", 0}}};
+        const auto error = errorOf([&] { static_cast<void>(mergeParts(parse(gltf.text()))); });
+        REQUIRE(error);
+        CHECK(error->code() == ExitCode::BadInput);
+        CHECK(error->message() ==
+              "nodes[2], meshes[0].primitives[0]: its transforms are singular: they have no inverse");
+        CHECK_FALSE(error->where().file.empty());
+    }
+}
+
 TEST_CASE("a scene shows the parts of a glTF file with its materials, or with the object's own") {
     TemporaryFolder folder;
     Gltf gltf = pyramidGltf();
