@@ -2,6 +2,7 @@
 #include "gpu/shader_sources.h"
 
 #include "base/error.h"
+#include "base/folders.h"
 
 #include <algorithm>
 #include <array>
@@ -15,13 +16,6 @@ namespace hyalite::gpu {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Symbolic links are followed first, so that none leads out.
-bool isInside(const fs::path& file, const fs::path& folder) {
-    const fs::path path = fs::weakly_canonical(file);
-    const fs::path root = fs::weakly_canonical(folder);
-    return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first == root.end();
-}
 
 // The name in a line like # include "name".
 std::optional<std::string> includedName(std::string_view line) {

@@ -1,5 +1,7 @@
 #include "live/live_files.h"
 
+#include "base/folders.h"
+
 #include <algorithm>
 #include <fstream>
 #include <iterator>
@@ -10,10 +12,6 @@ namespace hyalite::live {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool isInside(const fs::path& file, const fs::path& folder) {
-    return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
-}
 
 bool isShader(const fs::path& file) {
     const fs::path extension = file.extension();

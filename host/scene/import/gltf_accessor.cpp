@@ -1,6 +1,7 @@
 // See gltf_accessor.h.
 #include "scene/import/gltf_accessor.h"
 
+#include "base/little_endian.h"
 #include "base/spelling.h"
 
 #include <algorithm>
@@ -37,14 +38,6 @@ std::size_t bytesOf(const GltfValue& componentType) {
 
 bool isIndexType(std::uint64_t componentType) {
     return componentType == kUint8 || componentType == kUint16 || componentType == kUint32;
-}
-
-std::uint32_t littleEndian(std::string_view bytes) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-        value |= std::uint32_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
-    }
-    return value;
 }
 
 } // namespace

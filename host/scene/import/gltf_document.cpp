@@ -2,6 +2,7 @@
 #include "scene/import/gltf_document.h"
 
 #include "base/input_file.h"
+#include "base/little_endian.h"
 #include "base/spelling.h"
 #include "scene/import/base64.h"
 #include "scene/model/scene_limits.h"
@@ -17,15 +18,7 @@ constexpr std::size_t kChunkHeaderBytes = 8;
 constexpr std::uint32_t kJsonChunk = 0x4e4f534aU;   // "JSON"
 constexpr std::uint32_t kBinaryChunk = 0x004e4942U; // "BIN\0"
 
-std::uint32_t littleEndian(std::string_view bytes, std::size_t at) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-        value |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
-    }
-    return value;
-}
-
-// "%20" and its like written out; none where a percent sign is followed by anything but two digits.
+// Decodes percent signs, "%20" to a blank; none where a percent sign is followed by anything but two digits.
 std::optional<std::string> decodePercent(std::string_view text) {
     const auto digit = [](char c) { return std::string_view("0123456789abcdef").find(lowerCase({&c, 1})); };
     std::string decoded;
@@ -72,24 +65,24 @@ void GltfDocument::parseBinary(std::string_view bytes) {
                     "is the file truncated?");
     };
     if (bytes.size() < kHeaderBytes) {
-        fail(bytes.size(), "the file ends within its header");
+        fail(bytes.size(), "unexpected end of file in the header");
     }
-    if (const std::uint32_t version = littleEndian(bytes, 4); version != 2) {
+    if (const std::uint32_t version = littleEndian(bytes.substr(4, 4)); version != 2) {
         throw Error(ExitCode::BadInput, SourceLocation{*file_, 0, 0},
                     "binary glTF version " + std::to_string(version) + " is not supported",
                     "export the file as glTF 2.0");
     }
-    if (const std::uint32_t length = littleEndian(bytes, 8); length != bytes.size()) {
+    if (const std::uint32_t length = littleEndian(bytes.substr(8, 4)); length != bytes.size()) {
         fail(8,
-             "the header promises " + std::to_string(length) + " bytes, the file has " + std::to_string(bytes.size()));
+             "the header declares " + std::to_string(length) + " bytes, the file has " + std::to_string(bytes.size()));
     }
     bool hasJson = false;
     for (std::size_t at = kHeaderBytes; at < bytes.size();) {
         if (bytes.size() - at < kChunkHeaderBytes) {
-            fail(at, "the file ends within the header of a chunk");
+            fail(at, "unexpected end of file in the header of a chunk");
         }
-        const std::size_t length = littleEndian(bytes, at);
-        const std::uint32_t type = littleEndian(bytes, at + 4);
+        const std::size_t length = littleEndian(bytes.substr(at, 4));
+        const std::uint32_t type = littleEndian(bytes.substr(at + 4, 4));
         const std::size_t begin = at + kChunkHeaderBytes;
         if (length > bytes.size() - begin) {
             fail(at, "a chunk of " + std::to_string(length) + " bytes goes beyond the end of the file");
@@ -142,7 +135,7 @@ std::string_view GltfDocument::buffer(std::size_t index) {
     std::string_view bytes;
     if (!uri) {
         if (index != 0 || !hasBinaryChunk_) {
-            buffer.fail("it has no 'uri', and there is no binary chunk for it");
+            buffer.fail("missing 'uri', and there is no binary chunk for it");
         }
         bytes = binaryChunk_;
     } else if (uri->text().starts_with("data:")) {
@@ -153,7 +146,7 @@ std::string_view GltfDocument::buffer(std::size_t index) {
     }
     const GltfValue length = buffer.require("byteLength");
     if (length.whole(1) > bytes.size()) {
-        length.fail("the buffer is to have " + std::to_string(length.whole()) + " bytes, there are " +
+        length.fail("the buffer declares " + std::to_string(length.whole()) + " bytes, but holds " +
                         std::to_string(bytes.size()),
                     "is the file truncated?");
     }

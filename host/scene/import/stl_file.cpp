@@ -1,5 +1,6 @@
-// STL, binary and text: triangles with corners of their own, which are welded here. The normals that a file repeats
-// for each triangle are skipped: the order of its corners says the same.
+// STL, binary and text: triangles with corners of their own, which are welded here. The normals that a file stores
+// for each triangle are skipped: the order of its corners implies them.
+#include "base/little_endian.h"
 #include "base/numbers.h"
 #include "base/spelling.h"
 #include "scene/import/mesh_import.h"
@@ -19,19 +20,11 @@ constexpr std::size_t kTriangleBytes = 50;
 constexpr std::size_t kCornersAt = 12; // in a triangle
 constexpr std::size_t kFloatBytes = 4;
 
-std::uint32_t littleEndian(std::string_view bytes, std::size_t at) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-        value |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
-    }
-    return value;
-}
-
 // Binary files may begin with "solid" as text does. A text of the size that its bytes 80 to 83 would ask of a binary
 // file has more than 8 GB, for its bytes are 9 and above; and a text holds no zero byte.
 bool isBinary(std::string_view bytes) {
     if (bytes.size() >= kTrianglesAt &&
-        bytes.size() - kTrianglesAt == std::size_t{littleEndian(bytes, kCountAt)} * kTriangleBytes) {
+        bytes.size() - kTrianglesAt == std::size_t{littleEndian(bytes.substr(kCountAt, 4))} * kTriangleBytes) {
         return true;
     }
     const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
@@ -47,10 +40,10 @@ Mesh parseBinary(std::string_view bytes, const std::string& file) {
         fail("not an STL file: neither text that begins with 'solid' nor the 84 bytes that begin a binary file",
              "is it truncated?");
     }
-    const std::size_t count = littleEndian(bytes, kCountAt);
+    const std::size_t count = littleEndian(bytes.substr(kCountAt, 4));
     const std::size_t room = bytes.size() - kTrianglesAt;
     if (room != count * kTriangleBytes) {
-        fail("the number at byte 80 promises " + std::to_string(count) + " triangles of 50 bytes, " +
+        fail("the number at byte 80 declares " + std::to_string(count) + " triangles of 50 bytes, " +
                  std::to_string(room) + " bytes follow",
              room < count * kTriangleBytes ? "is it truncated?" : "is it an STL file?");
     }
@@ -64,7 +57,7 @@ Mesh parseBinary(std::string_view bytes, const std::string& file) {
         for (int corner = 0; corner < 3; ++corner) {
             glm::vec3 position;
             for (int axis = 0; axis < 3; ++axis, at += kFloatBytes) {
-                position[axis] = std::bit_cast<float>(littleEndian(bytes, at));
+                position[axis] = std::bit_cast<float>(littleEndian(bytes.substr(at, 4)));
                 if (!isMeshCoordinate(static_cast<double>(position[axis]))) {
                     failCoordinate(static_cast<double>(position[axis]), {file, 0, 0},
                                    "triangle " + std::to_string(triangle + 1) + ", byte " + std::to_string(at) + ": ");

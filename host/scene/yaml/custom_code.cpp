@@ -1,6 +1,7 @@
 // See custom_code.h.
 #include "scene/yaml/custom_code.h"
 
+#include "base/folders.h"
 #include "base/input_file.h"
 #include "base/spelling.h"
 #include "scene/model/scene_limits.h"
@@ -20,12 +21,6 @@ bool isIdentifier(const std::string& name) {
     const auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
     return !name.empty() && isLetter(name.front()) && std::ranges::all_of(name, isPart) && !name.starts_with("gl_") &&
            name.find("__") == std::string::npos;
-}
-
-bool isInside(const fs::path& file, const fs::path& folder) {
-    const fs::path path = fs::weakly_canonical(file);
-    const fs::path root = fs::weakly_canonical(folder.empty() ? "." : folder);
-    return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first == root.end();
 }
 
 } // namespace
