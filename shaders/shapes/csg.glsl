@@ -163,7 +163,8 @@ void traceCsg(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
         // What the ray knows may come true a little farther on than its start
         bool waits = start.known && placeStart == 0.0 && t <= kLongStart * around &&
                      csgValue(program, steps, inside) != start.inside;
-        if (t > placeEnd && !waits) { // the place is complete
+        bool isLast = t == kInfinity; // no leaf is crossed again: places may be too long to end before
+        if (isLast || (t > placeEnd && !waits)) { // the place is complete
             bool value = csgValue(program, steps, inside);
             if (value != valueBefore) {
                 // Where nothing was crossed, the leaf that alone explains it: the ray slips out along its surface
@@ -175,7 +176,7 @@ void traceCsg(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
                     return;
                 }
             }
-            if (t >= hit.t) {
+            if (isLast || t >= hit.t) {
                 return;
             }
             before = inside;

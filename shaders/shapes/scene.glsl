@@ -110,9 +110,19 @@ void traceObjects(uint root, Ray ray, bool any, inout Hit hit) {
     }
 }
 
-// The closest hit along the ray, or with `any` some hit.
+// Whether every number of the ray is finite. NaN compares false with everything, and walks end by comparisons.
+bool isFinite(Ray ray) {
+    const float kLargest = 3.402823466e38;
+    return all(lessThanEqual(abs(ray.origin), vec3(kLargest))) &&
+           all(lessThanEqual(abs(ray.direction), vec3(kLargest))) && abs(ray.tMax) <= kLargest;
+}
+
+// The closest hit along the ray, or with `any` some hit; none for a ray with a number that is not finite.
 Hit traceScene(uint root, Ray ray, bool any) {
     Hit hit = Hit(ray.tMax, kNone, 0u, vec2(0.0));
+    if (!isFinite(ray)) {
+        return hit;
+    }
     if (kFewObjects > 0u) {
         traceFew(ray, any, hit);
     } else {

@@ -188,6 +188,45 @@ void compareTrees(std::size_t trees) {
     CHECK(static_cast<double>(tally.hits) > 0.2 * rayCount);
 }
 
+// Rays at the trees that start anywhere, or as if they left a leaf of them.
+std::vector<shared::Ray> raysFromTrees(const BothSides& both, Random& random, std::size_t count) {
+    std::vector<shared::Ray> rays;
+    for (const shared::Ray& ray : raysAtTrees(random)) {
+        rays.push_back(ray);
+        if (rays.size() % 3 != 0) {
+            const auto objects = static_cast<double>(both.deviceScene.objectOf.size());
+            rays.back().from = 1 + static_cast<std::uint32_t>(random.unit() * objects);
+            rays.back().from |= rays.size() % 3 == 1 ? shared::kRayInside : 0;
+        }
+        if (rays.size() == count) {
+            break;
+        }
+    }
+    return rays;
+}
+
+// Every ray with each of its seven numbers in turn replaced.
+std::vector<shared::Ray> withEachReplaced(const std::vector<shared::Ray>& rays, float number) {
+    std::vector<shared::Ray> replaced;
+    for (const shared::Ray& ray : rays) {
+        for (int i = 0; i < 7; ++i) {
+            replaced.push_back(ray);
+            shared::Ray& other = replaced.back();
+            (i < 3 ? other.origin[i] : i < 6 ? other.direction[i - 3] : other.tMax) = number;
+        }
+    }
+    return replaced;
+}
+
+std::vector<shared::Hit> traceAll(BothSides& both, const std::vector<shared::Ray>& rays) {
+    const auto count = static_cast<std::uint32_t>(rays.size());
+    const auto deviceRays = both.upload(rays);
+    const auto hits = both.room<shared::Hit>(count);
+    both.run("trace_closest", shared::TraceClosestArguments{deviceRays, hits, count, both.deviceScene.rootNode, 0},
+             count);
+    return hits.read();
+}
+
 // A box whose corners have whole coordinates from -2 to 2.
 Shape boxOnGrid(Random& random) {
     Bounds clip;
@@ -247,6 +286,33 @@ TEST_CASE("where faces of boxes coincide, the first leaf that decides is hit on 
 
 TEST_CASE("ten thousand random CSG trees are hit where they are in the reference", "[csg]") {
     compareTrees(10000);
+}
+
+TEST_CASE("a ray of which a number is none ends, and meets nothing") {
+    constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float kEndless = std::numeric_limits<float>::infinity();
+    Random random;
+    Scene many = treesScene(random); // a hierarchy of objects
+    reference::test::addObject(many, MeshInstance{0, dmat4(1)}, 0);
+    reference::test::addObject(many, Sphere{{1, 1, 1}, 2}, 0);
+    Scene few; // that are tried one by one
+    few.lights = many.lights;
+    few.materials = many.materials;
+    few.meshes = many.meshes;
+    addTree(few, random, placeOf(0), 12);
+    addTree(few, random, placeOf(0), 1);
+    for (Scene& scene : {std::ref(many), std::ref(few)}) {
+        BothSides both(scene);
+        const std::vector<shared::Ray> rays = raysFromTrees(both, random, 600);
+        for (const float number : {kNan, kEndless, -kEndless}) {
+            const std::vector<shared::Ray> broken = withEachReplaced(rays, number);
+            const std::vector<shared::Hit> hits = traceAll(both, broken);
+            CHECK(std::ranges::count_if(hits, [](const auto& hit) { return hit.object != shared::kNone; }) == 0);
+        }
+        // Numbers that are some, but overflow on the way
+        CHECK(traceAll(both, withEachReplaced(rays, 1e38F)).size() == 7 * rays.size());
+        CHECK(traceAll(both, withEachReplaced(rays, 3e19F)).size() == 7 * rays.size());
+    }
 }
 
 } // namespace hyalite::testing
