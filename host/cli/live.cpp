@@ -1,6 +1,7 @@
 // `hyalite live`: a page that shows a scene as it renders, and again as its shaders change. Hidden beside it, the
 // worker process that renders.
 #include "base/error.h"
+#include "base/private_folder.h"
 #include "cli/command.h"
 #include "cli/number_check.h"
 #include "cli/open_device.h"
@@ -14,7 +15,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <unistd.h>
+#include <optional>
 
 namespace hyalite::cli {
 
@@ -32,14 +33,7 @@ struct LiveCommand {
     std::vector<std::string> settings;
 };
 
-// Where kernels that were compiled once are found again: the user's cache, or for who has none a folder for this
-// process.
-std::filesystem::path cacheOfLive(pid_t server) {
-    const std::filesystem::path folder = cacheFolder();
-    return folder.empty() ? std::filesystem::temp_directory_path() / ("hyalite-" + std::to_string(server)) : folder;
-}
-
-std::vector<std::string> workerArguments(const DeviceChoice& device) {
+std::vector<std::string> workerArguments(const DeviceChoice& device, const std::filesystem::path& cache) {
     std::vector<std::string> arguments{kWorkerCommand};
     const auto add = [&](const std::string& option, const std::string& value) {
         if (!value.empty()) {
@@ -48,6 +42,7 @@ std::vector<std::string> workerArguments(const DeviceChoice& device) {
     };
     add("--device", device.name);
     add("--shaders", device.shaders);
+    add("--cache", cache.string());
     if (device.validation) {
         arguments.emplace_back("--validation");
     }
@@ -60,6 +55,11 @@ void runLive(LiveCommand command) {
     }
     static_cast<void>(gpu::chooseDevice(gpu::listDevices(), command.device.name)); // throws where there is none
     command.device.shaders = std::filesystem::absolute(findShaders(command.device.shaders)).lexically_normal().string();
+    // Workers find there what earlier ones compiled
+    std::optional<PrivateFolder> ownCache;
+    if (cacheFolder().empty()) {
+        ownCache.emplace();
+    }
     live::ServerOptions options;
     options.address = command.address;
     options.port = command.port.value_or(options.port);
@@ -67,7 +67,7 @@ void runLive(LiveCommand command) {
     options.mayWrite = command.edit;
     options.supervisor.scene = std::filesystem::absolute(command.scene).lexically_normal();
     options.supervisor.shaders = command.device.shaders;
-    options.supervisor.workerArguments = workerArguments(command.device);
+    options.supervisor.workerArguments = workerArguments(command.device, ownCache ? ownCache->path() : cacheFolder());
     options.supervisor.limit = command.limit;
     options.supervisor.say = [](const std::string& line) { std::cout << line << std::endl; };
     for (const std::string& setting : command.settings) {
@@ -78,10 +78,6 @@ void runLive(LiveCommand command) {
         options.supervisor.settings[setting.substr(0, equals)] = setting.substr(equals + 1);
     }
     live::serve(std::move(options));
-    if (cacheFolder().empty()) {
-        std::error_code ignored; // it is the system's to clean
-        std::filesystem::remove_all(cacheOfLive(getpid()), ignored);
-    }
 }
 
 } // namespace
@@ -113,11 +109,11 @@ void addLiveWorker(CLI::App& app) {
     sub->group(""); // not for users
     sub->add_option("--channel", command->options.channel)->required();
     sub->add_option("--pulse", command->options.pulse)->required();
+    sub->add_option("--cache", command->options.cache)->required();
     addDeviceOptions(*sub, command->device);
     sub->callback([command] {
         const OpenDevice device(command->device);
         command->options.shaders = device.compiler().shaders();
-        command->options.cache = cacheOfLive(getppid());
         command->options.shipped = shippedKernels();
         live::runWorker(device.context(), command->options);
     });

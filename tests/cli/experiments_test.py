@@ -1,9 +1,12 @@
 """What is there for experiments: GLSL that a scene brings along, and arrays of stages for NumPy."""
 
 import ast
+import signal
+import stat
 import struct
+import subprocess
 
-from program import BAD_INPUT, DEVICE, SCENE, USAGE, CliTest
+from program import BAD_INPUT, DEVICE, SCENE, TIMEOUT, USAGE, CliTest, command_line, default_environment
 
 TEXTURED = SCENE.replace("materials:", "textures: {t: {type: custom, file: %s, parameters: [2, 0.5]}}\nmaterials:").replace(
     "{type: diffuse}", "{type: diffuse, albedo: {texture: t}}"
@@ -116,7 +119,27 @@ class Dumps(CliTest):
 
 
 class LivePage(CliTest):
-    """What hyalite live refuses; tests/browser/live_test.py has what it does."""
+    """What hyalite live refuses, and leaves; tests/browser/live_test.py has what it does."""
+
+    def test_who_has_no_home_has_a_cache_that_nobody_else_can_reach(self):
+        self.write("scene.yaml", SCENE)
+        temporary = self.folder / "temporary"
+        temporary.mkdir()
+        environment = {name: value for name, value in default_environment().items() if name not in ("HOME", "XDG_CACHE_HOME")}
+        server = subprocess.Popen(command_line(["live", "scene.yaml", "--port", "0"]), cwd=self.folder, stdout=subprocess.PIPE,
+                                  stderr=subprocess.STDOUT, env={**environment, "TMPDIR": str(temporary)}, text=True)
+        try:
+            self.assertIn("http://", server.stdout.readline())
+            (folder,) = temporary.iterdir()
+            self.assertEqual(stat.S_IMODE(folder.stat().st_mode), 0o700)
+            self.assertRegex(folder.name, "^hyalite-[A-Za-z0-9]{6}$")
+            self.assertNotEqual(folder.name, f"hyalite-{server.pid}")  # whoever sees its number could have put it there
+            server.send_signal(signal.SIGINT)
+            self.assertEqual(server.wait(TIMEOUT), 0)
+        finally:
+            server.kill()
+            server.communicate()
+        self.assertEqual(list(temporary.iterdir()), [])
 
     def test_what_cannot_be_served_is_refused_before_it_is(self):
         self.write("scene.yaml", SCENE)
