@@ -17,4 +17,4 @@ if ! command -v clang-format-19 >/dev/null; then
     echo "format.sh: no clang-format-19: run scripts/install-deps.sh test" >&2
     exit 1
 fi
-find host tests shaders/shared \( -name '*.h' -o -name '*.cpp' \) -print0 | xargs -0 clang-format-19 "${mode[@]}"
+find host tests shaders/shared scenes/experiments \( -name '*.h' -o -name '*.cpp' \) -print0 | xargs -0 clang-format-19 "${mode[@]}"

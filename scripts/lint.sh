@@ -12,4 +12,4 @@ cd "$(realpath "$(dirname "${BASH_SOURCE[0]}")/..")"
 scripts/install-deps.sh lint
 cmake --preset lint >/dev/null
 cmake --build --preset lint
-run-clang-tidy -quiet -p build/lint "$PWD/(host|tests)/"
+run-clang-tidy -quiet -p build/lint "$PWD/(host|tests|scenes)/"

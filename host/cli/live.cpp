@@ -31,9 +31,11 @@ struct LiveCommand {
     bool edit = false;
     double limit = 10; // [s]
     std::vector<std::string> settings;
+    std::vector<std::string> twins; // files
 };
 
-std::vector<std::string> workerArguments(const DeviceChoice& device, const std::filesystem::path& cache) {
+std::vector<std::string> workerArguments(const DeviceChoice& device, const std::vector<std::string>& twins,
+                                         const std::filesystem::path& cache) {
     std::vector<std::string> arguments{kWorkerCommand};
     const auto add = [&](const std::string& option, const std::string& value) {
         if (!value.empty()) {
@@ -45,6 +47,9 @@ std::vector<std::string> workerArguments(const DeviceChoice& device, const std::
     add("--cache", cache.string());
     if (device.validation) {
         arguments.emplace_back("--validation");
+    }
+    for (const std::string& twin : twins) {
+        add("--twins", std::filesystem::absolute(twin).string());
     }
     return arguments;
 }
@@ -67,7 +72,8 @@ void runLive(LiveCommand command) {
     options.mayWrite = command.edit;
     options.supervisor.scene = std::filesystem::absolute(command.scene).lexically_normal();
     options.supervisor.shaders = command.device.shaders;
-    options.supervisor.workerArguments = workerArguments(command.device, ownCache ? ownCache->path() : cacheFolder());
+    options.supervisor.workerArguments =
+        workerArguments(command.device, command.twins, ownCache ? ownCache->path() : cacheFolder());
     options.supervisor.limit = command.limit;
     options.supervisor.say = [](const std::string& line) { std::cout << line << std::endl; };
     for (const std::string& setting : command.settings) {
@@ -95,6 +101,7 @@ void addLive(CLI::App& app) {
     sub->add_option("--limit", command->limit, "stop a kernel that takes longer than this many seconds (10)")
         ->check(finiteNumber(/*zeroAllowed*/ false));
     sub->add_option("--set", command->settings, "set a key of the scene file, e.g. --set camera.resolution=256x256");
+    addTwinOption(*sub, command->twins);
     addDeviceOptions(*sub, command->device);
     sub->callback([command] { runLive(*command); });
 }
@@ -103,6 +110,7 @@ void addLiveWorker(CLI::App& app) {
     struct WorkerCommand {
         DeviceChoice device;
         live::WorkerOptions options;
+        std::vector<std::string> twins;
     };
     const auto command = std::make_shared<WorkerCommand>();
     CLI::App* sub = app.add_subcommand(kWorkerCommand, "started by hyalite live");
@@ -110,11 +118,13 @@ void addLiveWorker(CLI::App& app) {
     sub->add_option("--channel", command->options.channel)->required();
     sub->add_option("--pulse", command->options.pulse)->required();
     sub->add_option("--cache", command->options.cache)->required();
+    addTwinOption(*sub, command->twins);
     addDeviceOptions(*sub, command->device);
     sub->callback([command] {
         const OpenDevice device(command->device);
         command->options.shaders = device.compiler().shaders();
         command->options.shipped = shippedKernels();
+        command->options.twins = twinSources(command->twins);
         live::runWorker(device.context(), command->options);
     });
 }

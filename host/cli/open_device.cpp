@@ -30,6 +30,11 @@ void addDeviceOptions(CLI::App& sub, DeviceChoice& choice) {
     sub.add_flag("--validation", choice.validation, "check every Vulkan call with the validation layers");
 }
 
+void addTwinOption(CLI::App& sub, std::vector<std::string>& twins) {
+    sub.add_option("--twins", twins, "shared objects with twins in C++ of the scene's own GLSL, for the reference")
+        ->type_name("FILE.so");
+}
+
 OpenDevice::OpenDevice(const DeviceChoice& choice)
     : context_(optionsOf(choice)), compiler_(findShaders(choice.shaders), cacheFolder(), shippedKernels()) {
     // Whoever waits for a device that hangs, as destructors do, hangs too: the program ends here

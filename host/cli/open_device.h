@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 namespace hyalite::cli {
 
@@ -19,6 +20,9 @@ struct DeviceChoice {
 
 // --device, --shaders, --validation and --device-timeout.
 void addDeviceOptions(CLI::App& sub, DeviceChoice& choice);
+
+// --twins.
+void addTwinOption(CLI::App& sub, std::vector<std::string>& twins);
 
 class OpenDevice {
 public:

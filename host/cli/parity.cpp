@@ -7,6 +7,7 @@
 #include "cli/open_device.h"
 #include "cli/parity_report.h"
 #include "cli/scene_settings.h"
+#include "cli/shader_folder.h"
 #include "parity/report.h"
 #include "scene/load/load_scene.h"
 
@@ -31,6 +32,7 @@ struct Sought {
         {"--passes", "render.passes", {}},         {"--photons", "render.photons", {}},
         {"--max-depth", "render.max_depth", {}},   {"--seed", "render.seed", {}}};
     std::vector<std::string> settings;
+    std::vector<std::string> twins; // files
 };
 
 struct ParityCommand : Sought {
@@ -59,11 +61,13 @@ void addSought(CLI::App& sub, Sought& sought) {
     shorthand(4, "longest path in segments; whitted: reflections and refractions in a row");
     shorthand(5, "seed of the random numbers");
     sub.add_option("--set", sought.settings, "set a key of the scene file, e.g. --set render.radius=0.01");
+    addTwinOption(sub, sought.twins);
     addDeviceOptions(sub, sought.device);
 }
 
 Scene loadSought(const Sought& sought, bool atTestSize) {
     Scene scene = loadScene(sought.scene);
+    reference::attachTwins(scene, twinSources(sought.twins));
     if (atTestSize) {
         parity::shrinkToTestSize(scene);
     }
@@ -79,6 +83,9 @@ std::string commandLine(const ParityCommand& command) {
     }
     for (const std::string& setting : command.settings) {
         line += " --set " + setting;
+    }
+    for (const std::string& twin : command.twins) {
+        line += " --twins " + twin;
     }
     line += command.device.name.empty() ? "" : " --device " + command.device.name;
     line += command.device.shaders.empty() ? "" : " --shaders " + command.device.shaders;

@@ -10,6 +10,7 @@
 #include "cli/open_device.h"
 #include "cli/render_report.h"
 #include "cli/scene_settings.h"
+#include "cli/shader_folder.h"
 #include "image/image_io.h"
 #include "render/debug/buffer_dump.h"
 #include "render/film/render_identity.h"
@@ -40,6 +41,7 @@ struct RenderCommand {
     std::string savePhotons;
     std::string loadPhotons;
     std::vector<std::string> dumps; // STAGE:FIELD
+    std::vector<std::string> twins; // files
     bool layers = false;
     bool profile = false;
     bool json = false;
@@ -225,6 +227,11 @@ void renderScene(RenderCommand command, ExitCode& exit) {
     checkCheckpoint(command);
     const InterruptWatch watchForSignals;
     Scene scene = loadScene(command.scene);
+    if (byReference) {
+        reference::attachTwins(scene, twinSources(command.twins));
+    } else if (!command.twins.empty()) {
+        throw Error(ExitCode::WrongUsage, "--backend vulkan has no use for --twins");
+    }
     applySettings(scene, allSettings(command.shorthands, command.settings));
     if (command.outputs.empty()) {
         command.outputs.push_back(std::filesystem::path(command.scene).stem().string() + ".png");
@@ -289,6 +296,7 @@ void addRender(CLI::App& app, ExitCode& exit) {
     shorthand(7, "random numbers: sobol (evenly spread) or independent");
     sub->add_option("--backend", command->backend, "vulkan, or reference (CPU, double precision)")
         ->check(CLI::IsMember({"vulkan", "reference"}));
+    addTwinOption(*sub, command->twins);
     addDeviceOptions(*sub, command->device);
     sub->add_option("--time", command->time, "stop when this many seconds of rendering would be exceeded")
         ->check(finiteNumber(/*zeroAllowed*/ false));

@@ -50,6 +50,13 @@ std::filesystem::path shippedKernels() {
     return std::filesystem::is_directory(installed, ignored) ? installed : std::filesystem::path(HYALITE_SPIRV_DIR);
 }
 
+reference::TwinSources twinSources(const std::vector<std::string>& given) {
+    std::error_code ignored;
+    const std::filesystem::path installed = installedFolder() / "twins";
+    return {.files = {given.begin(), given.end()},
+            .folder = std::filesystem::is_directory(installed, ignored) ? installed : HYALITE_TWIN_DIR};
+}
+
 // NOLINTBEGIN(concurrency-mt-unsafe): nobody sets them
 std::filesystem::path cacheFolder() {
     if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache != '\0') {

@@ -90,8 +90,9 @@ LiveRenderer::LiveRenderer(const gpu::Context& context, ReloadingCompiler& compi
     device_.commands.observe(&guard_);
 }
 
-void LiveRenderer::load(const std::filesystem::path& file) {
+void LiveRenderer::load(const std::filesystem::path& file, const reference::TwinSources& twins) {
     Scene scene = loadScene(file);
+    reference::attachTwins(scene, twins);
     Scene seen = withView(scene, view_);
     drop();
     auto loaded = std::make_unique<Loaded>();
@@ -252,8 +253,7 @@ LiveRenderer::Frame LiveRenderer::frame() {
 
 parity::RecordedPath LiveRenderer::inspect(std::uint32_t pixel) {
     if (const CustomCode* code = reference::codeWithoutTwin(scene_)) {
-        throw Error(ExitCode::WrongUsage, SourceLocation{.file = code->file},
-                    "this code of the scene has no twin: there is nothing to compare a path with");
+        throw reference::noTwin(*code);
     }
     const Activity activity(pulse_, kBetweenKernels);
     guard_.mayStop(false);

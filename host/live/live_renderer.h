@@ -6,6 +6,7 @@
 #include "live/dispatch_guard.h"
 #include "live/reloading_compiler.h"
 #include "parity/path_comparison.h"
+#include "reference/bsdf/custom_twins.h"
 #include "render/debug/debug_view.h"
 #include "render/renderer.h"
 
@@ -33,7 +34,7 @@ public:
                  std::function<bool()> isUnwanted);
 
     // Reads the scene file and uploads it. Throws Error, and then what was there stays.
-    void load(const std::filesystem::path& file);
+    void load(const std::filesystem::path& file, const reference::TwinSources& twins);
     [[nodiscard]] bool isLoaded() const { return loaded_ != nullptr; }
 
     // Throws Error(WrongUsage) where a setting is refused, and then the former view stays.

@@ -79,6 +79,7 @@ public:
     Worker(const gpu::Context& context, const WorkerOptions& options, Channel& channel, Inbox& inbox, Pulse& pulse,
            const Json& start)
         : channel_(channel), inbox_(inbox), pulse_(pulse), scene_(start.at("scene").get<std::string>()),
+          twins_(options.twins),
           compiler_(options.shaders, options.cache, options.shipped, versionsOf(start),
                     [&channel](const std::string& kernel, const std::string& version) {
                         channel.send({{"kind", "compiled"}, {"kernel", kernel}, {"version", version}});
@@ -197,7 +198,7 @@ private:
         sceneError_.reset();
         runError_.reset();
         try {
-            renderer_.load(scene_);
+            renderer_.load(scene_, twins_);
             state_ = State::Fresh;
             tellScene();
         } catch (const Error& error) {
@@ -360,6 +361,7 @@ private:
     Inbox& inbox_;
     Pulse& pulse_;
     std::filesystem::path scene_;
+    reference::TwinSources twins_;
     ReloadingCompiler compiler_;
     LiveRenderer renderer_;
     State state_ = State::Stuck;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gpu/context.h"
+#include "reference/bsdf/custom_twins.h"
 
 #include <filesystem>
 
@@ -13,6 +14,7 @@ struct WorkerOptions {
     std::filesystem::path shaders;
     std::filesystem::path cache;   // not empty
     std::filesystem::path shipped; // kernels compiled with the program, see gpu::ShaderCompiler
+    reference::TwinSources twins;  // of scenes' own GLSL
 };
 
 // Renders what the server asks for until it is gone.

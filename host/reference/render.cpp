@@ -13,9 +13,7 @@ namespace hyalite::reference {
 
 LayeredImage render(const Scene& scene, const RenderOptions& options) {
     if (const CustomCode* code = codeWithoutTwin(scene)) {
-        throw Error(ExitCode::WrongUsage, SourceLocation{.file = code->file},
-                    "this code of the scene is GLSL alone: the reference has no twin of it",
-                    "render with --backend vulkan");
+        throw noTwin(*code);
     }
     const World world = prepareWorld(scene);
     if (std::none_of(world.lights.begin(), world.lights.end(), [](const Light& light) { return light.pmf > 0; })) {

@@ -1,5 +1,5 @@
 // Marble: dark veins where a coordinate, bent by four octaves of noise, passes a half. parameters: scale [1/m], how far the
-// noise bends [veins], sharpness. Its twin in double precision: host/reference/bsdf/custom_twins.cpp.
+// noise bends [veins], sharpness. Its twin in double precision: marble.twin.cpp.
 float marbleCorner(vec3 corner) {
     uint bits = hashCombine(hashCombine(hash(uint(int(corner.x))), uint(int(corner.y))), uint(int(corner.z)));
     return float(bits >> 8u) * 5.9604644775390625e-8; // 2^-24

@@ -1,6 +1,6 @@
 // A thin film, as of oil on a wet street: light reflected off its face and off its back meets itself, and what is left
 // depends on the colour and on the angle. parameters: thickness [nm], index of refraction, share of the light that each
-// face reflects. The sum over all reflections to and fro in the film is Airy's. Its twin: host/reference/bsdf/custom_twins.cpp.
+// face reflects. The sum over all reflections to and fro in the film is Airy's. Its twin: oil.twin.cpp.
 vec3 oil(float cosine, vec4 parameters) {
     float index = parameters.y;
     float inFilm = sqrt(1.0 - (1.0 - cosine * cosine) / (index * index));

@@ -6,7 +6,7 @@ import stat
 import struct
 import subprocess
 
-from program import BAD_INPUT, DEVICE, SCENE, TIMEOUT, USAGE, CliTest, command_line, default_environment
+from program import BAD_INPUT, DEVICE, SCENE, TIMEOUT, USAGE, CliTest, Setup, command_line, default_environment
 
 TEXTURED = SCENE.replace("materials:", "textures: {t: {type: custom, file: %s, parameters: [2, 0.5]}}\nmaterials:").replace(
     "{type: diffuse}", "{type: diffuse, albedo: {texture: t}}"
@@ -64,6 +64,41 @@ class CustomCode(CliTest):
         self.write("scene.yaml", TEXTURED % "bad.glsl")
         self.write("bad.glsl", "\nvec3 bad(vec3 p, vec2 uv, vec4 k) {\n    return missing;\n}\n")
         self.assert_refused(BAD_INPUT, ["bad.glsl:3: ", "missing"], ["render", "scene.yaml"])
+
+    def test_a_twin_is_used_for_the_very_code_that_it_was_written_after(self):
+        self.write("marble.glsl", (Setup.source / "scenes/experiments/marble.glsl").read_bytes())
+        scene = TEXTURED % "marble.glsl"
+        self.render(scene, "--backend", "reference")
+        code = self.folder / "marble.glsl"
+        line = 1 + code.read_text()[: code.read_text().index("vec3 marble(")].count("\n")
+        code.write_text(code.read_text().replace("vein * vein", "vein"))
+        self.assert_refused(USAGE, [f"marble.glsl:{line}: there is no twin of 'marble': ", "marble.twin.so is the twin of other code"],
+                            ["render", "scene.yaml", "--backend", "reference"])
+        result = self.run_program("parity", "scene.yaml", "--resolution", "8x8")
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn("shade_surface has no twin to compare with: it runs the scene's own marble.glsl", result.stdout)
+
+    def test_every_shipped_twin_is_of_the_code_beside_it(self):
+        folder = Setup.source / "scenes/experiments"
+        twins = sorted(folder.glob("*.twin.cpp"))
+        self.assertEqual([twin.name for twin in twins], ["marble.twin.cpp", "oil.twin.cpp"])
+        for twin in twins:
+            code_hash = 0xCBF29CE484222325
+            for byte in (folder / twin.name.replace(".twin.cpp", ".glsl")).read_bytes():
+                code_hash = (code_hash ^ byte) * 0x100000001B3 % 2**64
+            self.assertIn(f".codeHash = 0x{code_hash:016x}", twin.read_text(), twin.name)
+
+    def test_a_twin_can_be_named(self):
+        self.write("marble.glsl", (Setup.source / "scenes/experiments/marble.glsl").read_bytes())
+        shipped = Setup.program.parent.parent / "scenes/experiments/marble.twin.so"
+        own = self.write("own.so", shipped.read_bytes())
+        plain = self.render(TEXTURED % "marble.glsl", "--backend", "reference")
+        self.assertEqual(self.render(TEXTURED % "marble.glsl", "--backend", "reference", "--twins", own), plain)
+        self.write("text.so", "no shared object\n")
+        for twin, words in (("gone.so", ["gone.so: cannot load the twin: "]), ("text.so", ["text.so: cannot load the twin: "])):
+            for command in (["render", "scene.yaml", "--backend", "reference"], ["parity", "scene.yaml"]):
+                self.assert_refused(USAGE, words, [*command, "--twins", twin])
+        self.assert_refused(USAGE, ["--backend vulkan has no use for --twins"], ["render", "scene.yaml", "--twins", own])
 
     def test_the_reference_and_parity_say_that_there_is_no_twin(self):
         self.write("quarter.glsl", "vec3 quarter(vec3 p, vec2 uv, vec4 k) { return vec3(0.25); }\n")

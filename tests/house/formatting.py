@@ -10,7 +10,7 @@ FORMATTER = "clang-format-19"
 def check(tree):
     files = [
         path
-        for folder in ("host/", "tests/", "shaders/shared/")
+        for folder in ("host/", "tests/", "shaders/shared/", "scenes/experiments/")
         for path in tree.under(folder, ".h", ".cpp")
     ]
     command = [FORMATTER, "--dry-run", "--Werror", *files]

@@ -147,7 +147,7 @@ glm::dvec3 facetReflectance(const Lobe& lobe, double cosine) {
         return 1.0 - (1.0 - normalReflectance(*material)) * coatTransmission(c);
     }
     if (const auto* custom = std::get_if<CustomReflectance>(&lobe.model)) {
-        return glm::clamp(customReflectanceTwin(custom->code->function)(c, custom->parameters), 0.0, 1.0);
+        return glm::clamp(customReflectanceTwin(*custom->code)(c, custom->parameters), 0.0, 1.0);
     }
     return glm::dvec3(fresnelDielectric(c, lobe.eta));
 }

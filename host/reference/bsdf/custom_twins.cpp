@@ -1,99 +1,131 @@
-// A twin goes here: its function, and a row of kTextures or kReflectances.
+// See custom_twins.h.
 #include "reference/bsdf/custom_twins.h"
 
-#include "shaders/shared/random.h"
+#include "base/fnv.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
-#include <utility>
+#include <cstdio>
+#include <dlfcn.h>
+#include <span>
 
 namespace hyalite::reference {
 
 namespace {
 
-using glm::dvec2;
-using glm::dvec3;
-using glm::dvec4;
+namespace fs = std::filesystem;
 
-// scenes/experiments/marble.glsl: veins where a coordinate, bent by noise, passes a whole number.
-double cornerValue(const dvec3& corner) {
-    const auto word = [](double x) { return static_cast<std::uint32_t>(static_cast<std::int32_t>(x)); };
-    const std::uint32_t bits =
-        shared::hashCombine(shared::hashCombine(shared::hash(word(corner.x)), word(corner.y)), word(corner.z));
-    return static_cast<double>(bits >> 8U) * 0x1p-24;
+struct LoadedTwin {
+    fs::path file;
+    std::shared_ptr<const CodeTwin> twin; // keeps the shared object loaded
+};
+
+std::string hexadecimal(std::uint64_t hash) {
+    std::array<char, 19> text{};
+    std::snprintf(text.data(), text.size(), "0x%016llx", static_cast<unsigned long long>(hash));
+    return text.data();
 }
 
-double valueNoise(const dvec3& p) {
-    const dvec3 corner = glm::floor(p);
-    const dvec3 f = p - corner;
-    const dvec3 w = f * f * (3.0 - 2.0 * f);
-    double sum = 0;
-    for (int i = 0; i < 8; ++i) {
-        const dvec3 step(i & 1, i >> 1 & 1, i >> 2);
-        const dvec3 share = glm::mix(1.0 - w, w, step);
-        sum += share.x * share.y * share.z * cornerValue(corner + step);
-    }
-    return sum;
+std::uint64_t hashOf(const CustomCode& code) {
+    return fnv(std::as_bytes(std::span(code.text)));
 }
 
-dvec3 marble(const dvec3& position, const dvec2& /*uv*/, const dvec4& parameters) {
-    const dvec3 p = position * parameters.x;
-    double turbulence = 0;
-    double scale = 1;
-    for (int octave = 0; octave < 4; ++octave) {
-        turbulence += (valueNoise(p * scale) - 0.5) / scale;
-        scale *= 2;
-    }
-    const double along = p.x + p.y + parameters.y * turbulence;
-    const double distance = std::abs(along - std::floor(along) - 0.5);
-    const double vein = std::max(0.0, 1 - distance * parameters.z);
-    return glm::mix(dvec3(0.85, 0.83, 0.8), dvec3(0.12, 0.13, 0.18), vein * vein);
-}
-
-// scenes/experiments/oil.glsl: a film between two faces of the reflectance R. Waves that go through it 2 m times more
-// than the first add up to Airy's 1 / (1 + F sin^2(delta / 2)) of transmitted light, F = 4 R / (1 - R)^2; the rest is
-// reflected.
-dvec3 oil(double cosine, const dvec4& parameters) {
-    const double index = parameters.y;
-    const double refracted = std::asin(std::sqrt(1 - cosine * cosine) / index); // Snell
-    const double R = parameters.z;
-    const double F = 4 * R / ((1 - R) * (1 - R));
-    const auto reflectance = [&](double wavelength) {
-        const double halfDelta = 2 * std::numbers::pi / wavelength * index * parameters.x * std::cos(refracted);
-        return 1 - 1 / (1 + F * std::pow(std::sin(halfDelta), 2));
+LoadedTwin loadTwin(const fs::path& file) {
+    const auto fail = [&](const std::string& what, const std::string& hint) {
+        throw Error(ExitCode::WrongUsage, SourceLocation{.file = file.string()}, what, hint);
     };
-    return {reflectance(610), reflectance(545), reflectance(450)};
+    // Of a bare name dlopen would search the system's folders
+    void* const object = ::dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (object == nullptr) {
+        const char* const reason = ::dlerror(); // NOLINT(concurrency-mt-unsafe): of this thread's call
+        fail(std::string("cannot load the twin: ") + (reason == nullptr ? "unknown reason" : reason),
+             "docs/experiments.md says how twins are built");
+    }
+    const std::shared_ptr<void> held(object, [](void* loaded) { ::dlclose(loaded); });
+    const auto* const twin = static_cast<const CodeTwin*>(::dlsym(object, "hyaliteTwin"));
+    if (twin == nullptr) {
+        fail("not a twin: it does not define hyaliteTwin", "docs/experiments.md says how twins are written");
+    }
+    if (twin->layout != CodeTwin::kLayout) {
+        fail("the twin was built for another version of hyalite", "build it again");
+    }
+    if (twin->function == nullptr || (twin->texture == nullptr) == (twin->reflectance == nullptr)) {
+        fail("not a twin: it needs the function's name, and a texture or a reflectance",
+             "docs/experiments.md says how twins are written");
+    }
+    return {file, {held, twin}};
 }
 
-constexpr auto kTextures = std::to_array<std::pair<std::string_view, CustomTextureTwin>>({
-    {"marble", marble},
-});
-constexpr auto kReflectances = std::to_array<std::pair<std::string_view, CustomReflectanceTwin>>({
-    {"oil", oil},
-});
+std::vector<LoadedTwin> loadTwins(std::vector<fs::path> files, const fs::path& folder) {
+    std::vector<fs::path> found;
+    std::error_code ignored; // then there are none
+    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+        if (entry.path().string().ends_with(".twin.so")) {
+            found.push_back(entry.path());
+        }
+    }
+    std::ranges::sort(found);
+    files.insert(files.end(), found.begin(), found.end());
+    std::vector<LoadedTwin> twins;
+    std::ranges::transform(files, std::back_inserter(twins), loadTwin);
+    return twins;
+}
 
-template <class Twins>
-auto findTwin(const Twins& twins, std::string_view function) {
-    const auto found = std::ranges::find(twins, function, [](const auto& twin) { return twin.first; });
-    return found == twins.end() ? nullptr : found->second;
+std::shared_ptr<const CustomCode> withTwin(const std::shared_ptr<const CustomCode>& code,
+                                           const std::vector<LoadedTwin>& twins) {
+    auto result = std::make_shared<CustomCode>(*code);
+    result->twin = nullptr;
+    result->twinRefused.clear();
+    for (const auto& [file, twin] : twins) {
+        if (twin->function != code->function) {
+            continue;
+        }
+        if (twin->codeHash == hashOf(*code)) {
+            result->twin = twin;
+            result->twinRefused.clear();
+            break;
+        }
+        result->twinRefused = file.string();
+    }
+    return result;
+}
+
+// Calls visit(code) with each shared_ptr<const CustomCode> of the scene that may have a twin.
+template <class S, class Visit>
+void visitCodes(S& scene, Visit&& visit) {
+    for (auto& texture : scene.textures) {
+        if (auto* custom = std::get_if<CustomTexture>(&texture.model)) {
+            visit(custom->code);
+        }
+    }
+    for (auto& material : scene.materials) {
+        if (auto* custom = std::get_if<CustomReflectance>(&material.model)) {
+            visit(custom->code);
+        }
+    }
 }
 
 } // namespace
 
-CustomTextureTwin customTextureTwin(std::string_view function) {
-    return findTwin(kTextures, function);
+void attachTwins(Scene& scene, const TwinSources& sources) {
+    bool hasCode = false;
+    visitCodes(scene, [&](const auto&) { hasCode = true; });
+    const std::vector<LoadedTwin> twins = loadTwins(sources.files, hasCode ? sources.folder : fs::path());
+    visitCodes(scene, [&](std::shared_ptr<const CustomCode>& code) { code = withTwin(code, twins); });
 }
 
-CustomReflectanceTwin customReflectanceTwin(std::string_view function) {
-    return findTwin(kReflectances, function);
+TextureTwin customTextureTwin(const CustomCode& code) {
+    return code.twin == nullptr ? nullptr : code.twin->texture;
+}
+
+ReflectanceTwin customReflectanceTwin(const CustomCode& code) {
+    return code.twin == nullptr ? nullptr : code.twin->reflectance;
 }
 
 const CustomCode* textureWithoutTwin(const Scene& scene) {
     for (const Texture& texture : scene.textures) {
         const auto* custom = std::get_if<CustomTexture>(&texture.model);
-        if (custom != nullptr && customTextureTwin(custom->code->function) == nullptr) {
+        if (custom != nullptr && customTextureTwin(*custom->code) == nullptr) {
             return custom->code.get();
         }
     }
@@ -103,7 +135,7 @@ const CustomCode* textureWithoutTwin(const Scene& scene) {
 const CustomCode* reflectanceWithoutTwin(const Scene& scene) {
     for (const Material& material : scene.materials) {
         const auto* custom = std::get_if<CustomReflectance>(&material.model);
-        if (custom != nullptr && customReflectanceTwin(custom->code->function) == nullptr) {
+        if (custom != nullptr && customReflectanceTwin(*custom->code) == nullptr) {
             return custom->code.get();
         }
     }
@@ -116,6 +148,16 @@ const CustomCode* codeWithoutTwin(const Scene& scene) {
     return texture != nullptr       ? texture
            : reflectance != nullptr ? reflectance
                                     : scene.render.photonMap.customFilter.get();
+}
+
+Error noTwin(const CustomCode& code) {
+    const std::string other = code.twinRefused.empty() ? "" : ": " + code.twinRefused + " is the twin of other code";
+    return {ExitCode::WrongUsage,
+            {.file = code.file, .line = code.line},
+            "there is no twin of '" + code.function + '\'' + other,
+            "render with --backend vulkan, or give a texture or material a twin by --twins: docs/experiments.md; the "
+            "hash of this code is " +
+                hexadecimal(hashOf(code))};
 }
 
 } // namespace hyalite::reference

@@ -1,24 +1,28 @@
 // Twins in C++ of textures and materials that scenes bring along as GLSL: those that the reference can render, and
-// parity compare.
+// parity compare. They are loaded from shared objects, and belong to one text of GLSL: what was edited since has none.
 #pragma once
 
+#include "base/error.h"
 #include "scene/model/scene.h"
 
-#include <glm/glm.hpp>
-#include <string_view>
+#include <filesystem>
+#include <vector>
 
 namespace hyalite::reference {
 
-// Of a point of the world [m], its surface coordinates and the scene's parameters: share of the light reflected.
-using CustomTextureTwin = glm::dvec3 (*)(const glm::dvec3& position, const glm::dvec2& uv,
-                                         const glm::dvec4& parameters);
+// Where twins are looked for.
+struct TwinSources {
+    std::vector<std::filesystem::path> files; // asked for by name
+    std::filesystem::path folder;             // every *.twin.so in it; need not exist
+};
 
-// Of the cosine between the light and a facet's normal, and the scene's parameters: share of the light reflected.
-using CustomReflectanceTwin = glm::dvec3 (*)(double cosine, const glm::dvec4& parameters);
+// Gives each code of the scene the twin that was written after its text, if there is one; those of `files` come first.
+// Throws Error(WrongUsage) where a file is no twin.
+void attachTwins(Scene& scene, const TwinSources& sources);
 
-// The twin of the GLSL function of that name; nullptr: there is none.
-[[nodiscard]] CustomTextureTwin customTextureTwin(std::string_view function);
-[[nodiscard]] CustomReflectanceTwin customReflectanceTwin(std::string_view function);
+// The twin of a texture's or material's code; nullptr: there is none.
+[[nodiscard]] TextureTwin customTextureTwin(const CustomCode& code);
+[[nodiscard]] ReflectanceTwin customReflectanceTwin(const CustomCode& code);
 
 // The first of the scene's textures, or materials, that has none; nullptr: all have.
 [[nodiscard]] const CustomCode* textureWithoutTwin(const Scene& scene);
@@ -26,5 +30,8 @@ using CustomReflectanceTwin = glm::dvec3 (*)(double cosine, const glm::dvec4& pa
 
 // The first code of the scene that has no twin; nullptr: all have. A filter never has one.
 [[nodiscard]] const CustomCode* codeWithoutTwin(const Scene& scene);
+
+// Says that the code has no twin, where it stands, and what to do about it.
+[[nodiscard]] Error noTwin(const CustomCode& code);
 
 } // namespace hyalite::reference

@@ -45,12 +45,9 @@ dvec3 evaluate(const ImageTexture& texture, const dvec2& uv, const dvec3& /*posi
 }
 
 dvec3 evaluate(const CustomTexture& texture, const dvec2& uv, const dvec3& position) {
-    const CustomTextureTwin twin = customTextureTwin(texture.code->function);
+    const TextureTwin twin = customTextureTwin(*texture.code);
     if (twin == nullptr) {
-        throw Error(ExitCode::WrongUsage, SourceLocation{texture.code->file},
-                    "the texture function '" + texture.code->function +
-                        "' is GLSL alone: the reference has no twin of it",
-                    "render it with --backend vulkan, or write the twin in host/reference/bsdf/custom_twins.cpp");
+        throw noTwin(*texture.code);
     }
     return glm::clamp(twin(position, uv, texture.parameters), 0.0, 1.0);
 }

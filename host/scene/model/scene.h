@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "image/image.h"
+#include "scene/model/code_twin.h"
 
 #include <array>
 #include <cstdint>
@@ -39,7 +40,10 @@ enum class PhotonView { Picture, GlobalMap, CausticMap, Photons, Radius };
 struct CustomCode {
     std::string function; // its name
     std::string file;     // where it stands
+    int line = 1;         // of the function's definition
     std::string text;
+    std::shared_ptr<const CodeTwin> twin = {}; // what the reference runs in its place; null: nothing
+    std::string twinRefused = {};              // the file of a twin of this function that is of other text; empty: none
 };
 
 struct PhotonMapSettings {

@@ -39,7 +39,9 @@ std::shared_ptr<const CustomCode> readCustomCode(const Value& file, const fs::pa
     if (path.string().find_first_of("\"\\\n") != std::string::npos) {
         file.fail("GLSL cannot name a file of this path in its messages", "leave out quotes and backslashes");
     }
-    CustomCode code{given.stem().string(), path.string(), readInputFile(path, kLargestCodeFile, "GLSL", file.where())};
+    CustomCode code{.function = given.stem().string(),
+                    .file = path.string(),
+                    .text = readInputFile(path, kLargestCodeFile, "GLSL", file.where())};
     if (code.text.find('\0') != std::string::npos) {
         file.fail(inQuotes(given.string()) + " is not text");
     }
@@ -49,11 +51,13 @@ std::shared_ptr<const CustomCode> readCustomCode(const Value& file, const fs::pa
                     "lib/math.glsl and shared/random.h are there already");
     }
     const std::regex definition("\\b" + std::string(type) + "\\s+" + code.function + "\\s*\\(");
-    if (!std::regex_search(code.text, definition)) {
+    std::smatch found;
+    if (!std::regex_search(code.text, found, definition)) {
         throw Error(ExitCode::BadInput, SourceLocation{code.file},
                     "there is no function '" + std::string(type) + ' ' + code.function + "(...)' in this file",
                     "docs/experiments.md says what it is given");
     }
+    code.line += static_cast<int>(std::count(code.text.begin(), code.text.begin() + found.position(), '\n'));
     return std::make_shared<const CustomCode>(std::move(code));
 }
 
