@@ -1,11 +1,11 @@
-"""What the reference shares with the shaders that it judges: layouts, limits, integer functions, and nothing else."""
+"""What the reference and its twins share with the shaders that they judge: layouts, limits, integer functions, and nothing else."""
 
 import re
 
 from layers import REFERENCE_MAY_TAKE, includes
 
 RULE = (
-    "the reference reaches, through whatever it includes, no shader but shaders/shared/*.h and nothing of the device's "
+    "the reference, with the twins of scenes' own GLSL, reaches, through whatever it includes, no shader but shaders/shared/*.h and nothing of the device's "
     "side; functions there compute with integers alone"
 )
 
@@ -37,7 +37,7 @@ def functions(text):
 def check(tree):
     tree.path_set = set(tree.paths)
     found = []
-    for path in tree.under("host/reference/", ".h", ".cpp"):
+    for path in tree.under("host/reference/", ".h", ".cpp") + tree.under("scenes/", ".twin.cpp"):
         for file, number, name, target in reached(tree, path, {path}):
             where = f"{file}:{number}: #include of {name}"
             if target is None:
@@ -61,6 +61,7 @@ CLEAN = {
     "host/reference/ppm.h": '#include "shaders/shared/random.h"\n#include <vector>\n',
     "host/geometry/bvh.h": '#include "shaders/shared/records.h"\n',
     "host/render/ppm.h": "",
+    "scenes/experiments/marble.twin.cpp": '#include "shaders/shared/random.h"\n',
     "shaders/lib/math.glsl": "float square(float x) { return x * x; }\n",
     "shaders/shared/records.h": "struct Ray {\n    vec3 origin;\n    float tMax;\n};\n",
     "shaders/shared/random.h": "// 0.5\nSHARED_FUNCTION uint hash(uint x) {\n    return x * 3u; // vec3\n}\n",
@@ -71,6 +72,7 @@ PLANTED = [
     ("host/reference/ppm.h", '#include "shaders/shared/records.h"\n', "more than limits"),
     ("host/geometry/bvh.h", '#include "shaders/lib/math.glsl"\n', "host/reference/ppm.cpp leads here"),
     ("host/geometry/bvh.h", '#include "render/ppm.h"\n', "of the device's side"),
+    ("scenes/experiments/marble.twin.cpp", '#include "shaders/lib/math.glsl"\n', "a shader's own code"),
     ("shaders/shared/random.h", "SHARED_FUNCTION float unit(uint x) {\n    return 1;\n}\n", "computes with 'float'"),
     ("shaders/shared/random.h", "SHARED_FUNCTION uint f(uint x) {\n    return uint(x * 0.5);\n}\n", "computes with '0.5'"),
 ]
