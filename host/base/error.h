@@ -1,4 +1,4 @@
-// The one exception of the program: what went wrong, where in a file, and what mends it.
+// The one exception of the program: what went wrong, where in a file, and how to mend it.
 #pragma once
 
 #include <stdexcept>
@@ -36,7 +36,7 @@ public:
 
     [[nodiscard]] ExitCode code() const { return code_; }
     [[nodiscard]] const SourceLocation& where() const { return where_; }
-    // What went wrong alone; what() has the place and the hint too.
+    // Only what went wrong; what() has the place and the hint too.
     [[nodiscard]] const std::string& message() const { return message_; }
     [[nodiscard]] const std::string& hint() const { return hint_; }
 

@@ -37,7 +37,7 @@ std::string readInputFile(const std::filesystem::path& path, std::size_t mostByt
         fail("the file is empty");
     }
     if (size > mostBytes) {
-        fail("it has " + std::to_string(size) + " bytes", "at most " + std::to_string(mostBytes) + " are read");
+        fail("the file is too large: " + std::to_string(size) + " bytes", "the limit is " + std::to_string(mostBytes));
     }
 
     std::string bytes(static_cast<std::size_t>(size), '\0');
@@ -47,7 +47,7 @@ std::string readInputFile(const std::filesystem::path& path, std::size_t mostByt
     }
     stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     if (!stream) {
-        fail("reading stopped early");
+        fail("unexpected end of file");
     }
     return bytes;
 }

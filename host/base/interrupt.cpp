@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array<int, 2> kSignals{SIGINT, SIGTERM};
 
-// All that a signal handler can reach.
+// A signal handler may touch nothing else.
 volatile std::sig_atomic_t noted = 0;
 
 extern "C" void note(int number) {
@@ -25,7 +25,7 @@ InterruptWatch::InterruptWatch() {
     noted = 0;
     struct ::sigaction action{};
     action.sa_handler = note;
-    action.sa_flags = SA_RESTART; // what is being written or waited for goes on
+    action.sa_flags = SA_RESTART; // interrupted reads, writes and waits continue
     for (const int each : kSignals) {
         ::sigaction(each, &action, nullptr);
     }

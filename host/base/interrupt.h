@@ -1,4 +1,4 @@
-// SIGINT and SIGTERM as a wish to stop: the first is noted, the second ends the program at once.
+// SIGINT and SIGTERM as requests to stop: the first is recorded, the second ends the program at once.
 #pragma once
 
 namespace hyalite {

@@ -45,7 +45,7 @@ std::string hintFor(int errorNumber) {
     throw Error(ExitCode::OutputNotWritten, SourceLocation{path.string()}, "cannot write the file: " + what, hint);
 }
 
-// As many symbolic links as the kernel follows.
+// The kernel follows as many symbolic links.
 constexpr int kMostLinks = 40;
 
 // Where the bytes really go: the end of a chain of symbolic links, which need not exist yet. Throws where a rename

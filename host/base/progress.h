@@ -1,4 +1,4 @@
-// A progress bar on a terminal: how far, how fast, how long still. Silent anywhere else.
+// A progress bar on a terminal: passes done, time left, estimated error. Silent anywhere else.
 #pragma once
 
 #include <chrono>
@@ -11,9 +11,9 @@ struct ProgressState {
     std::size_t done = 0;
     std::size_t total = 1;            // >= 1
     double seconds = 0;               // since the first step began
-    double timeLimit = 0;             // [s]; where it comes before the last step it counts instead of it; 0: none
+    double timeLimit = 0;             // [s]; counts in place of the last step where it comes first; 0: none
     std::optional<double> error = {}; // shown if known
-    std::size_t before = 0;           // of the steps done, those that took none of the seconds
+    std::size_t before = 0;           // steps done before the clock started
 };
 
 class ProgressBar {

@@ -1,4 +1,4 @@
-// What an error message says of a word it does not know: the word, shown safely, and the known word it resembles.
+// Parts of error messages about an unknown word: the word, shown safely, and the known word that it resembles.
 #pragma once
 
 #include <span>

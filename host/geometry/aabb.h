@@ -21,7 +21,7 @@ struct Aabb {
     [[nodiscard]] bool empty() const { return !(lower.x <= upper.x && lower.y <= upper.y && lower.z <= upper.z); }
     [[nodiscard]] glm::vec3 extent() const { return empty() ? glm::vec3(0) : upper - lower; }
     [[nodiscard]] glm::vec3 center() const { return 0.5F * lower + 0.5F * upper; }
-    // Half the surface, which is all that a surface-area heuristic compares.
+    // Half the surface area: a surface-area heuristic only compares ratios.
     [[nodiscard]] float halfArea() const {
         const glm::vec3 e = extent();
         return e.x * e.y + e.y * e.z + e.z * e.x;

@@ -1,4 +1,4 @@
-// Bounding spheres of point sets: what photons are aimed at when they are to meet a mesh.
+// Bounding spheres of point sets: the targets of photons that are aimed at a mesh.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -12,8 +12,8 @@ namespace hyalite {
 
 struct Bvh {
     std::vector<glm::uvec4> texels;   // kTexelsPerRecord a node, the root first
-    std::vector<std::uint32_t> order; // the element that stands at each place of the leaves
-    std::uint32_t stackEntries = 0; // what a traversal needs at most: 1 for the root, then children as they are pushed
+    std::vector<std::uint32_t> order; // element numbers in the order of the leaves
+    std::uint32_t stackEntries = 0;   // most that a traversal needs: 1 for the root, then children as they are pushed
 };
 
 // Builds a hierarchy over the boxes' elements, at most `leafSize` (1..kLeafCountMax) to a leaf. The same tree for any
@@ -24,7 +24,7 @@ struct Bvh {
 // The words of the node's four children, see scene_records.h; kNone where there is none.
 [[nodiscard]] glm::uvec4 childWords(std::span<const glm::uvec4> node);
 
-// Makes room for the tree behind others, from the given record and element on.
+// Moves the tree to stand behind others: its records and elements begin at the given ones.
 void relocate(Bvh& bvh, std::uint32_t firstNode, std::uint32_t firstElement);
 
 // A binary tree on the way to the packed one, down to single elements. Node 0 is the root; a node of n elements owns

@@ -18,11 +18,11 @@ namespace hyalite {
 namespace {
 
 constexpr int kBins = 16;
-constexpr std::uint32_t kParallelSubtree = 1U << 13U;  // below this a thread costs more than it brings
+constexpr std::uint32_t kParallelSubtree = 1U << 13U;  // below this a thread costs more than it saves
 constexpr std::uint32_t kParallelElements = 1U << 18U; // nodes as large as this are binned on all cores
 constexpr std::size_t kGrain = std::size_t{1} << 16U;
 
-// What is moved about while the tree is built: reading it in order is twice as fast as looking boxes up by index.
+// An element as the build moves it: reading these in order is twice as fast as looking boxes up by index.
 struct Element {
     Aabb box;
     std::uint32_t index;
@@ -188,7 +188,7 @@ private:
         }
     }
 
-    // Everything added up; sums of boxes and counts do not depend on the order.
+    // The sum over all threads; sums of boxes and counts do not depend on the order.
     template <class Sum, class Add>
     [[nodiscard]] static Sum sum(std::span<const Element> range, const Add& add) {
         Sum total;

@@ -12,7 +12,7 @@ BvhCollapse::BvhCollapse(const BinaryBvh& binary, std::uint32_t leafSize)
     }
 }
 
-// Bottom up: what is best for a subtree as one node or leaf, as two, as three does not depend on what is above it.
+// Bottom up: the best choice for a subtree as one node or leaf, as two, as three does not depend on what is above it.
 BvhCollapse::Costs BvhCollapse::choose(std::uint32_t slot) {
     const BinaryNode& node = binary_.nodes[slot];
     const float area = node.box.halfArea();
@@ -24,7 +24,7 @@ BvhCollapse::Costs BvhCollapse::choose(std::uint32_t slot) {
     }
     const Costs left = choose(slot + 1);
     const Costs right = choose(node.right);
-    std::array<float, 5> asRoots{}; // by their number, some in either subtree
+    std::array<float, 5> asRoots{}; // cost by the number of roots, with some in either subtree
     for (std::uint32_t roots = 2; roots <= 4; ++roots) {
         std::uint32_t best = 1;
         for (std::uint32_t inLeft = 1; inLeft < roots; ++inLeft) {

@@ -1,4 +1,4 @@
-// Which nodes of a binary hierarchy the 4-wide one has, and which of them are its leaves.
+// Chooses which nodes of a binary hierarchy become nodes, and which leaves, of the 4-wide one.
 #pragma once
 
 #include "geometry/bvh.h"
@@ -20,13 +20,13 @@ public:
     [[nodiscard]] std::vector<std::uint32_t> children(std::uint32_t slot) const;
 
 private:
-    // costs[i]: of what is below a binary node as up to i + 1 nodes or leaves.
+    // costs[i]: cost of the subtree below a binary node when it becomes up to i + 1 nodes or leaves.
     using Costs = std::array<float, 3>;
 
     Costs choose(std::uint32_t slot);
     void collect(std::uint32_t slot, std::uint32_t roots, std::vector<std::uint32_t>& list) const;
 
-    // Of `roots` (2 to 4) nodes or leaves, how many stand in the left subtree; 0: one fewer is as good.
+    // How many of `roots` (2 to 4) nodes or leaves the left subtree gets; 0: one fewer costs no more.
     static constexpr std::uint32_t kLeaf = 1;
     [[nodiscard]] std::uint32_t inLeft(std::uint32_t slot, std::uint32_t roots) const {
         return choices_[slot] >> (2 * roots - 3) & 3U;

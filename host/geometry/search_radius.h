@@ -8,11 +8,11 @@
 
 namespace hyalite {
 
-// At most so many photons are emitted to find a radius.
+// Most photons emitted to estimate a radius.
 inline constexpr std::uint32_t kPilotPhotons = 8192;
 
-// So many photons are to be found by a typical search of the first pass: among those that came by way of diffuse
-// surfaces, and among those that make caustics, which have edges.
+// Number of photons that a typical search of the first pass should find: among photons that arrive via diffuse
+// surfaces, and among those of caustics, which have edges.
 inline constexpr double kPhotonsPerSearch = 30;
 inline constexpr double kCausticPhotonsPerSearch = 12;
 
@@ -22,9 +22,9 @@ inline constexpr double kCausticPhotonsPerSearch = 12;
 [[nodiscard]] double typicalSpacing(std::span<const glm::dvec3> points, std::size_t k);
 
 // The radius [m] within which about `wanted` of the photons of a pass of `emitted` photons lie around a typical one of
-// them, judged by `pilot`: where those landed that `pilotEmitted` photons left. Rounded to an eighth of a power of two,
-// so that pilots that differ by a rounding give the same. At least 1/2000 and at most 1/20 of `sceneRadius` [m], the
-// radius of the scene's bounding sphere; where hardly any photon landed, 1/100.
+// them, estimated from `pilot`, the positions where photons of `pilotEmitted` emitted ones landed. Rounded to an eighth
+// of a power of two, so that pilots that differ by a rounding give the same. At least 1/2000 and at most 1/20 of
+// `sceneRadius` [m], the radius of the scene's bounding sphere; where hardly any photon landed, 1/100.
 [[nodiscard]] double searchRadiusFor(double wanted, std::span<const glm::dvec3> pilot, std::uint32_t pilotEmitted,
                                      std::uint32_t emitted, double sceneRadius);
 

@@ -10,10 +10,10 @@ namespace hyalite {
 
 namespace {
 
-// Above so many vertices in all instances a box around each has to do.
+// Above this many vertices in all instances, a box stands for each instance.
 constexpr std::size_t kMostVertices = 4'000'000;
 
-// Spheres are this much larger than what they hold, for kernels know both only to the rounding of floats.
+// Spheres are enlarged by this factor, because kernels know them and their contents only to float rounding.
 constexpr double kMargin = 1e-5;
 
 bool isSpecular(const Scene& scene, const std::optional<std::size_t>& material) {
@@ -109,7 +109,7 @@ std::vector<BoundingSphere> specularTargets(const Scene& scene) {
         (std::isfinite(sphere.radius) ? bounded : targets).push_back(sphere);
     }
     if (!targets.empty()) {
-        return {targets.front()}; // without end: nothing is to be had by aiming
+        return {targets.front()}; // unbounded: aiming gains nothing
     }
     if (!bounded.empty()) {
         group(bounded, std::min(kMostTargets, bounded.size()), targets);

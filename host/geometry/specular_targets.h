@@ -1,4 +1,4 @@
-// What caustic photons are aimed at: spheres around everything that reflects or refracts like a mirror.
+// The targets of caustic photons: spheres around everything that reflects or refracts like a mirror.
 #pragma once
 
 #include "geometry/bounding_sphere.h"
@@ -8,7 +8,7 @@
 
 namespace hyalite {
 
-// So many spheres at most: for each photon all are looked at.
+// Most spheres: every photon tests all of them.
 inline constexpr std::size_t kMostTargets = 64;
 
 // World space [m]; the radius is infinite where a specular object has no end. Objects beyond kMostTargets are taken

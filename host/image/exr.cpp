@@ -53,7 +53,7 @@ public:
     bool read(char c[], int n) override {
         const auto count = static_cast<std::size_t>(n);
         if (n < 0 || position_ > bytes_.size() || count > bytes_.size() - position_) {
-            throw std::runtime_error("it ends too early");
+            throw std::runtime_error("unexpected end of file");
         }
         std::memcpy(c, bytes_.data() + position_, count);
         position_ += count;
@@ -74,7 +74,7 @@ glm::ivec2 sizeOf(const Imath::Box2i& window) {
     if (width < 1 || height < 1 || width > kMaxImageSide || height > kMaxImageSide ||
         static_cast<std::size_t>(width * height) > kMaxImagePixels) {
         throw std::runtime_error("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                                 " pixels is beyond the limits");
+                                 " pixels is too large");
     }
     return {static_cast<int>(width), static_cast<int>(height)};
 }

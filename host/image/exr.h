@@ -1,4 +1,4 @@
-// OpenEXR files in memory; writeImage() and readImage() are the way in.
+// OpenEXR files in memory; use them through writeImage() and readImage().
 #pragma once
 
 #include "image/image_io.h"

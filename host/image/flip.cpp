@@ -66,7 +66,7 @@ double hyab(const glm::dvec3& p, const glm::dvec3& q) {
     return std::abs(p.x - q.x) + std::hypot(p.y - q.y, p.z - q.z);
 }
 
-// ---- Filters. A kernel has 2 * radius + 1 weights; beyond the border the nearest pixel goes on.
+// ---- Filters. A kernel has 2 * radius + 1 weights; beyond the border the nearest pixel is repeated.
 
 using Kernel = std::vector<double>;
 

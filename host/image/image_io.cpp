@@ -115,7 +115,7 @@ std::vector<std::byte> readFile(const std::filesystem::path& path) {
     std::vector<std::byte> content(std::filesystem::file_size(path));
     stream.read(reinterpret_cast<char*>(content.data()), static_cast<std::streamsize>(content.size()));
     if (stream.bad() || static_cast<std::size_t>(stream.gcount()) != content.size()) {
-        fail("reading stopped early");
+        fail("unexpected end of file");
     }
     return content;
 }

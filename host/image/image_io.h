@@ -1,4 +1,4 @@
-// Pictures in files: PNG for eyes (8 bits, sRGB), OpenEXR for numbers (32-bit float, linear).
+// Pictures in files: PNG to look at (8 bits, sRGB), OpenEXR to compute with (32-bit float, linear).
 #pragma once
 
 #include "image/image.h"
@@ -11,7 +11,7 @@
 
 namespace hyalite {
 
-// What a picture says about its making, e.g. {"software", "hyalite 0.1.0"}, {"seed", "1"}. Stored as string attributes
+// How a picture was made, e.g. {"software", "hyalite 0.1.0"}, {"seed", "1"}. Stored as string attributes
 // of an EXR file, in the order of the keys; a PNG file holds none.
 using Metadata = std::map<std::string, std::string>;
 
@@ -33,7 +33,7 @@ inline constexpr std::size_t kMaxImagePixels = std::size_t{1} << 27U;
 //   .png  the layer "" alone, clipped to [0, 1], sRGB transfer function, rounded to the nearest of 256 values
 //   .exr  every layer, 32-bit float, bit for bit; ZIP compression
 // All layers have one size. Throws Error(WrongUsage) for another extension and Error(OutputNotWritten) for what cannot
-// be written, among it any value that is not finite; then no file is written.
+// be written, such as a value that is not finite; then no file is written.
 void writeImage(const std::filesystem::path& path, std::span<const Layer> layers, const Metadata& metadata);
 void writeImage(const std::filesystem::path& path, const Image& image, const Metadata& metadata);
 
@@ -41,8 +41,8 @@ void writeImage(const std::filesystem::path& path, const Image& image, const Met
 void checkImageWritable(const std::filesystem::path& path);
 
 // Reads a PNG file (8 or 16 bits a channel, taken as sRGB whatever its profile says; alpha is dropped) or an EXR file
-// (channels R, G, B of the first part, as large as its display window; black where it holds no data). The content, not
-// the name, tells which. Throws Error(BadInput) for anything else, damaged files and pictures beyond the limits above.
+// (channels R, G, B of the first part, as large as its display window; black where it holds no data). The content
+// decides, not the name. Throws Error(BadInput) for anything else, damaged files and pictures beyond the limits above.
 [[nodiscard]] Image readImage(const std::filesystem::path& path);
 
 } // namespace hyalite

@@ -18,12 +18,12 @@ namespace {
 constexpr std::size_t kPixelsPerBlock = 64;
 
 [[noreturn]] void throwBad(const std::string& fileName, const std::string& what) {
-    throw Error(ExitCode::BadInput, SourceLocation{fileName}, "damaged JPEG file: " + what);
+    throw Error(ExitCode::BadInput, SourceLocation{fileName}, "JPEG file is corrupt: " + what);
 }
 
-// Huffman tables of more than 256 codes, which stb_image up to 2.27 writes beyond its own: a table begins with its
-// number and sixteen counts of codes. Wherever a segment of tables might begin, since stb finds segments in its own
-// way.
+// Huffman tables of more than 256 codes, for which stb_image up to 2.27 overruns its own: a table begins with its
+// number and sixteen counts of codes. Looked for wherever a segment of tables might begin, since stb finds segments
+// its own way.
 bool hasOverfullTable(std::span<const std::byte> file) {
     constexpr std::size_t kCounts = 16;
     constexpr std::size_t kMostCodes = 256;

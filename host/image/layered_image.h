@@ -1,4 +1,4 @@
-// A picture and the parts that it is the sum of, or that say more about it.
+// A picture, the layers that it is the sum of, and further quantities of its pixels.
 #pragma once
 
 #include "image/image.h"
@@ -22,7 +22,7 @@ struct NamedImage {
 
 struct LayeredImage {
     Image picture;                  // the sum of the layers that are light, in their order
-    std::vector<NamedImage> layers; // none where there is but one
+    std::vector<NamedImage> layers; // empty where there is only one
     std::optional<Image> error;     // standard error of the picture, by chance alone; none before the second pass
 };
 

@@ -18,7 +18,7 @@ struct Crop {
 }
 
 // Throws Error(WrongUsage) unless both pictures have one size and the crop holds a pixel and lies inside, and
-// Error(BadInput) where a value is NaN or infinite: no metric says anything then. All functions below begin with it.
+// Error(BadInput) where a value is NaN or infinite, for which no metric is defined. All functions below begin with it.
 void requireComparable(const Image& image, const Image& reference, const Crop& crop);
 
 // Square root of the mean over pixels and channels of (a - r)^2, in the unit of radiance.
@@ -34,7 +34,7 @@ struct LargestDifference {
 };
 [[nodiscard]] LargestDifference largestDifference(const Image& image, const Image& reference, const Crop& crop);
 
-// Share in [0, 1] of the pixels whose every channel has |a - r| <= tolerance * |r|; so black asks for black.
+// Share in [0, 1] of the pixels whose every channel has |a - r| <= tolerance * |r|; a black reference requires black.
 [[nodiscard]] double shareWithin(const Image& image, const Image& reference, double tolerance, const Crop& crop);
 
 } // namespace hyalite

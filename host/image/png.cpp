@@ -28,7 +28,7 @@ constexpr std::array<unsigned char, 8> kSignature{0x89, 'P', 'N', 'G', '\r', '\n
 constexpr std::size_t kMaxDeflateRatio = 1032;
 
 [[noreturn]] void throwBad(const std::string& fileName, const std::string& what) {
-    throw Error(ExitCode::BadInput, SourceLocation{fileName}, "damaged PNG file: " + what);
+    throw Error(ExitCode::BadInput, SourceLocation{fileName}, "PNG file is corrupt: " + what);
 }
 
 std::uint32_t bigEndian32(std::span<const std::byte> bytes) {
@@ -55,14 +55,14 @@ void checkChunks(std::span<const std::byte> file, const std::string& fileName) {
         const std::span<const std::byte> typeAndData = rest.subspan(4, 4 + length);
         const ::uLong checksum = ::crc32(0, asUnsigned(typeAndData), static_cast<::uInt>(typeAndData.size()));
         if (checksum != bigEndian32(rest.subspan(8 + length))) {
-            throwBad(fileName, "wrong checksum");
+            throwBad(fileName, "checksum mismatch");
         }
         if (std::string_view(reinterpret_cast<const char*>(typeAndData.data()), 4) == "IEND") {
             return;
         }
         rest = rest.subspan(kChunkFrame + length);
     }
-    throwBad(fileName, "it ends too early");
+    throwBad(fileName, "unexpected end of file");
 }
 
 void checkSize(std::span<const std::byte> file, const std::string& fileName) {

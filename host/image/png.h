@@ -1,4 +1,4 @@
-// PNG files in memory; writeImage() and readImage() are the way in.
+// PNG files in memory; use them through writeImage() and readImage().
 #pragma once
 
 #include "image/image.h"
@@ -15,7 +15,7 @@ namespace hyalite {
 // 8 bits a channel, sRGB; the image must be finite and within the size limits of image_io.h.
 [[nodiscard]] std::vector<std::byte> encodePng(const Image& image);
 
-// What the numbers of the file stand for: light by the transfer function of sRGB, or shares of 1 as they are.
+// How stored numbers decode to [0, 1]: by the inverse transfer function of sRGB, or linearly.
 enum class Encoding { Srgb, Linear };
 
 // Throw Error(BadInput) that names `fileName`; without an encoding: sRGB.

@@ -42,7 +42,7 @@ GltfValue GltfValue::require(const char* key) const {
     if (auto value = find(key)) {
         return *std::move(value);
     }
-    fail("it has no '" + std::string(key) + "'");
+    fail("missing '" + std::string(key) + "'");
 }
 
 std::size_t GltfValue::size() const {
@@ -54,8 +54,8 @@ std::size_t GltfValue::size() const {
 
 GltfValue GltfValue::at(std::size_t index) const {
     if (index >= size()) {
-        fail("it has " + std::to_string(size()) + " items, number " + std::to_string(index) + " is asked for",
-             "they count from 0");
+        fail("index " + std::to_string(index) + " is out of range",
+             "the list has " + std::to_string(size()) + " items, counted from 0");
     }
     return {(*json_)[index], *file_, place_ + '[' + std::to_string(index) + ']'};
 }
@@ -110,7 +110,7 @@ std::size_t GltfValue::index(const GltfValue& document, const char* name) const 
     const std::size_t count = list ? list->size() : 0;
     const std::uint64_t value = whole();
     if (value >= count) {
-        fail("there is no number " + std::to_string(value) + " of '" + name + "'",
+        fail("index " + std::to_string(value) + " of '" + name + "' is out of range",
              "there are " + std::to_string(count) + ", counted from 0");
     }
     return static_cast<std::size_t>(value);

@@ -50,7 +50,7 @@ glm::dmat4 readTransform(const GltfValue& node) {
     return map;
 }
 
-// Nodes that no other names as its child.
+// Nodes that are no node's child.
 std::vector<std::size_t> findRoots(const GltfDocument& document, const GltfValue& nodes) {
     std::vector<bool> isChild(nodes.size(), false);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -109,8 +109,8 @@ std::vector<GltfPlacement> placeGltfMeshes(GltfDocument& document) {
         const auto [index, parentToFile] = open.back();
         open.pop_back();
         const GltfValue node = nodes->at(index);
-        if (isReached[index]) { // also keeps the walk from going in circles
-            node.fail("it is reached in two ways", "the nodes of a scene must form trees");
+        if (isReached[index]) { // also ends a walk around a cycle
+            node.fail("the node is reached more than once", "the nodes of a scene must form trees");
         }
         isReached[index] = true;
         const glm::dmat4 toFile = parentToFile * readTransform(node);

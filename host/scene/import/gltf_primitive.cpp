@@ -30,7 +30,7 @@ std::vector<glm::uvec3> makeTriangles(const std::vector<std::uint32_t>& corners,
     for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
         if (mode == Mode::Fan) {
             add(i + 1, i + 2, 0);
-        } else if (mode == Mode::Strip && i % 2 == 1) { // every other one is turned round
+        } else if (mode == Mode::Strip && i % 2 == 1) { // every other triangle is reversed
             add(i, i + 2, i + 1);
         } else {
             add(i, i + 1, i + 2);
@@ -73,7 +73,7 @@ std::optional<GltfAccessor> findAttribute(GltfDocument& document, const GltfValu
     }
     GltfAccessor accessor(document, *reference, type);
     if (accessor.size() != vertices) {
-        reference->fail("it has " + std::to_string(accessor.size()) + " elements, there are " +
+        reference->fail("the accessor has " + std::to_string(accessor.size()) + " elements, there are " +
                         std::to_string(vertices) + " positions");
     }
     return accessor;

@@ -1,9 +1,10 @@
 // Triangle meshes from OBJ, PLY, STL and glTF files.
 //
-// All but glTF (see gltf_import.h) are read by small strict parsers of our own. The libraries at hand were looked at
-// and left: assimp's OBJ and PLY importers have a long record of heap overflows on malformed files (its issues 4770,
-// 4925 and 5729, among many), and tinyobjloader, which reads OBJ alone, takes a missing coordinate for 0 and had its
-// share (its issue 175). Neither says where in the file a mistake is. Together these formats are a few hundred lines.
+// All but glTF (see gltf_import.h) are read by small strict parsers of our own. Libraries were considered
+// and rejected: assimp's OBJ and PLY importers have a long record of heap overflows on malformed files (its issues
+// 4770, 4925 and 5729, among many), and tinyobjloader, which reads OBJ alone, takes a missing coordinate for 0 and had
+// its share (its issue 175). Neither says where in the file a mistake is. Together these formats are a few hundred
+// lines.
 #pragma once
 
 #include "scene/model/scene.h"

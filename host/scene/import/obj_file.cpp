@@ -1,4 +1,4 @@
-// Wavefront OBJ: v, vn, vt and f. Names, groups, materials, lines and points are skipped, for
+// Wavefront OBJ: v, vn, vt and f. Names, groups, materials, lines and points are skipped:
 // they describe no surface that a scene file places; free-form surfaces and unknown statements are errors.
 #include "base/numbers.h"
 #include "base/spelling.h"
@@ -157,7 +157,7 @@ private:
 
     void addFace() {
         if (words_.size() < 4) {
-            fail(words_[0], "a face of " + std::to_string(words_.size() - 1) + " corners", "it takes at least 3");
+            fail(words_[0], "face has " + std::to_string(words_.size() - 1) + " corners", "it needs at least 3");
         }
         for (std::size_t k = 1; k < words_.size(); ++k) {
             soup_.corners.push_back(corner(words_[k]));

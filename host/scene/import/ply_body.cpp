@@ -60,8 +60,8 @@ void PlyBody::checkRoomFor(const PlyElement& element) const {
     const std::size_t room = bytes_.size() + (encoding_ == PlyEncoding::Ascii ? 1 : 0);
     if (least > 0 && element.count > room / least) {
         throw Error(ExitCode::BadInput, SourceLocation{name_, 0, 0},
-                    "the header promises " + std::to_string(element.count) + " of " + inQuotes(element.name) +
-                        ", the file ends before",
+                    "unexpected end of file: the header declares " + std::to_string(element.count) + " of " +
+                        inQuotes(element.name),
                     "is it truncated?");
     }
 }
@@ -74,7 +74,7 @@ void PlyBody::beginElement(const PlyElement& element, std::size_t index) {
     }
     do {
         if (bytes_.empty()) {
-            fail("the file ends here", "is it truncated?");
+            fail("unexpected end of file", "is it truncated?");
         }
         const std::size_t end = std::min(bytes_.find('\n'), bytes_.size());
         lineRest_ = bytes_.substr(0, end);
@@ -109,7 +109,7 @@ std::string_view PlyBody::word() {
 std::uint64_t PlyBody::bits(PlyType type) {
     const std::size_t size = byteSize(type);
     if (bytes_.size() < size) {
-        fail("the file ends here", "is it truncated?");
+        fail("unexpected end of file", "is it truncated?");
     }
     std::uint64_t value = 0;
     for (std::size_t i = 0; i < size; ++i) {
@@ -164,8 +164,8 @@ std::size_t PlyBody::listCount(const PlyProperty& property) {
     const bool isText = encoding_ == PlyEncoding::Ascii;
     const std::size_t room = isText ? lineRest_.size() / 2 : bytes_.size() / byteSize(property.type);
     if (static_cast<std::uint64_t>(count) > room) {
-        fail("the list " + inQuotes(property.name) + " is to hold " + std::to_string(count) + " values, the " +
-                 (isText ? "line" : "file") + " ends before",
+        fail("the list " + inQuotes(property.name) + " declares " + std::to_string(count) + " values, but the " +
+                 (isText ? "line" : "file") + " ends first",
              "is the file truncated?");
     }
     return static_cast<std::size_t>(count);

@@ -16,7 +16,7 @@ constexpr std::size_t kNormalRole = 3;
 constexpr std::size_t kUvRole = 6;
 constexpr std::size_t kNotAsked = kVertexNumbers.size();
 
-// One name for what has several.
+// The one name here of a property that has several in files.
 std::string_view knownName(std::string_view name) {
     if (name == "s" || name == "texture_u") {
         return "u";
@@ -46,7 +46,7 @@ std::vector<std::size_t> vertexRoles(const PlyElement& vertex, const std::string
         std::replace_if(
             roles.begin(), roles.end(), [&](std::size_t role) { return role >= first && role < end; }, kNotAsked);
     };
-    if (!(found[3] && found[4] && found[5])) { // two thirds of a normal are none
+    if (!(found[3] && found[4] && found[5])) { // an incomplete normal is ignored
         drop(kNormalRole, kUvRole);
     }
     if (!(found[6] && found[7])) {
@@ -95,7 +95,7 @@ bool isCornerList(const PlyProperty& property) {
 void readCorners(PlyBody& body, const PlyProperty& property, std::size_t vertexCount, PolygonSoup& soup) {
     const std::size_t count = body.listCount(property);
     if (count < 3) {
-        body.fail("a face of " + std::to_string(count) + " corners", "it takes at least 3");
+        body.fail("face has " + std::to_string(count) + " corners", "it needs at least 3");
     }
     for (std::size_t k = 0; k < count; ++k) {
         const std::int64_t index = body.whole(property.type);
@@ -131,7 +131,7 @@ void readFaces(PlyBody& body, const PlyElement& element, std::size_t vertexCount
 
 void skipElements(PlyBody& body, const PlyElement& element) {
     if (element.properties.empty()) {
-        return; // nothing of it is in the file
+        return; // it takes no bytes in the file
     }
     for (std::size_t i = 0; i < element.count; ++i) {
         body.beginElement(element, i);

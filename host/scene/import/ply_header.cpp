@@ -76,7 +76,7 @@ private:
         const std::size_t end = bytes_.find('\n', header_.bytes);
         if (end == std::string_view::npos) {
             ++header_.lines;
-            fail("the header does not end", "its last line must be 'end_header'");
+            fail("unexpected end of file in the header", "its last line must be 'end_header'");
         }
         std::string_view line = bytes_.substr(header_.bytes, end - header_.bytes);
         header_.bytes = end + 1;
@@ -114,7 +114,7 @@ private:
         }
         for (const PlyElement& element : header_.elements) {
             if (element.name == words_[1]) {
-                fail("a second element " + inQuotes(words_[1]));
+                fail("duplicate element " + inQuotes(words_[1]));
             }
         }
         header_.elements.push_back({std::string(words_[1]), static_cast<std::size_t>(*count), {}});
@@ -122,7 +122,7 @@ private:
 
     void addProperty() {
         if (header_.elements.empty()) {
-            fail("a property before the first element");
+            fail("property before the first element");
         }
         PlyProperty property;
         if (words_.size() == 5 && words_[1] == "list") {
@@ -139,7 +139,7 @@ private:
         property.name = words_.back();
         for (const PlyProperty& other : header_.elements.back().properties) {
             if (other.name == property.name) {
-                fail("a second property " + inQuotes(property.name));
+                fail("duplicate property " + inQuotes(property.name));
             }
         }
         header_.elements.back().properties.push_back(property);

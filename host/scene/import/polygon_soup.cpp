@@ -108,7 +108,7 @@ private:
         if (count > 3 && !isFan(corners, 0, area)) {
             start = 1;
             if (!isFan(corners, 1, area)) {
-                fail(index, "a polygon that is not convex", "triangulate the mesh when exporting it");
+                fail(index, "polygon is not convex", "triangulate the mesh when exporting it");
             }
         }
 
@@ -132,7 +132,7 @@ private:
         }
     }
 
-    // Zero normals that no polygon uses harm nobody.
+    // Zero normals that no polygon uses are harmless.
     void mendUnusedNormals() { std::replace(mesh_.normals.begin(), mesh_.normals.end(), glm::vec3(0), kAnyDirection); }
 
     // The mesh's index of a position together with its normal and texture coordinates.
@@ -178,7 +178,7 @@ private:
         fail(polygon, "a vertex normal is zero", "export the mesh with valid normals or without any");
     }
 
-    // A polygon without area is never hit: any direction will do.
+    // No ray hits a polygon without area: any direction serves.
     [[nodiscard]] static glm::vec3 flatDirection(const glm::dvec3& area) {
         const double length = glm::length(area);
         return length > 0 ? glm::vec3(area / length) : kAnyDirection;

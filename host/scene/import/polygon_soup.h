@@ -45,7 +45,7 @@ void checkTriangleCount(std::size_t count, const std::string& file);
 // Whether the device can hold a coordinate read from a file: it is finite and within the range of lengths.
 [[nodiscard]] bool isMeshCoordinate(double value);
 
-// Throws Error(BadInput) for a coordinate that is not; `of` stands before the message.
+// Throws Error(BadInput) for a coordinate that it cannot; the message begins with `of`.
 [[noreturn]] void failCoordinate(double value, const SourceLocation& where, const std::string& of);
 
 } // namespace hyalite

@@ -1,5 +1,5 @@
 // The Utah teapot: the bicubic Bezier patches that Martin Newell drew in 1975 [Crow87], with rim and bottom, as the
-// table of 306 points and 32 patches that went round since. (Some copies open the lid's tip by 0.002; closed here.)
+// table of 306 points and 32 patches that circulated since. (Some copies open the lid's tip by 0.002; closed here.)
 //
 // Of each patch the control points are kept once. Rim, body, lid and bottom are the same in all four quarters around
 // the axis, handle and spout on both sides of the plane y = 0: 10 patches stand for the 32.

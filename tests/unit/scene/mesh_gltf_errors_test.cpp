@@ -48,28 +48,28 @@ TEST_CASE("a glTF file that is no JSON is an error with line and column") {
     checkGltfRejected("{\"a\": 1e999}", "JSON");
     checkGltfRejected(std::string(1000000, '['), "JSON");
     checkGltfRejected("[]", "expected an object, found a list of 0");
-    checkGltfRejected("{}", "it has no 'asset'");
+    checkGltfRejected("{}", "missing 'asset'");
     checkGltfRejected(R"({"asset": {"version": "1.0"}})", "asset.version: glTF '1.0' is not supported");
     checkGltfRejected(R"({"asset": {"version": "2.0"}})", "shows no triangles");
 }
 
 TEST_CASE("references to what a glTF file does not have are named") {
     checkSpoilt({
-        {[](json& d) { d["scene"] = 1; }, "scene: there is no number 1 of 'scenes'"},
-        {[](json& d) { d["scenes"][0]["nodes"][0] = 7; }, "scenes[0].nodes[0]: there is no number 7 of 'nodes'"},
-        {[](json& d) { d["nodes"][0]["mesh"] = 1; }, "nodes[0].mesh: there is no number 1 of 'meshes'"},
+        {[](json& d) { d["scene"] = 1; }, "scene: index 1 of 'scenes' is out of range"},
+        {[](json& d) { d["scenes"][0]["nodes"][0] = 7; }, "scenes[0].nodes[0]: index 7 of 'nodes' is out of range"},
+        {[](json& d) { d["nodes"][0]["mesh"] = 1; }, "nodes[0].mesh: index 1 of 'meshes' is out of range"},
         {[](json& d) { d["nodes"][0]["mesh"] = -1; }, "nodes[0].mesh: expected a whole number"},
         {[](json& d) { d["nodes"][0]["mesh"] = "0"; }, "nodes[0].mesh: expected a whole number"},
         {[](json& d) { d["nodes"][0]["mesh"] = 0.5; }, "found 0.5"},
         {[](json& d) { d["nodes"][0]["mesh"] = 1e300; }, "nodes[0].mesh: expected a whole number"},
-        {[](json& d) { d["meshes"][0].erase("primitives"); }, "meshes[0]: it has no 'primitives'"},
-        {[](json& d) { primitive(d)["attributes"].erase("POSITION"); }, "it has no 'POSITION'"},
-        {[](json& d) { primitive(d)["attributes"]["POSITION"] = 2; }, "there is no number 2 of 'accessors'"},
+        {[](json& d) { d["meshes"][0].erase("primitives"); }, "meshes[0]: missing 'primitives'"},
+        {[](json& d) { primitive(d)["attributes"].erase("POSITION"); }, "missing 'POSITION'"},
+        {[](json& d) { primitive(d)["attributes"]["POSITION"] = 2; }, "index 2 of 'accessors' is out of range"},
         {[](json& d) { primitive(d)["indices"] = 0; }, "needs an accessor of type 'SCALAR', found 'VEC3'"},
-        {[](json& d) { primitive(d)["material"] = 0; }, "there is no number 0 of 'materials'"},
+        {[](json& d) { primitive(d)["material"] = 0; }, "index 0 of 'materials' is out of range"},
         {[](json& d) { primitive(d)["mode"] = 7; }, "mode: expected a whole number in [0, 6], found 7"},
-        {[](json& d) { positions(d)["bufferView"] = 9; }, "accessors[0].bufferView: there is no number 9"},
-        {[](json& d) { d["bufferViews"][0]["buffer"] = 1; }, "bufferViews[0].buffer: there is no number 1"},
+        {[](json& d) { positions(d)["bufferView"] = 9; }, "accessors[0].bufferView: index 9 of "},
+        {[](json& d) { d["bufferViews"][0]["buffer"] = 1; }, "bufferViews[0].buffer: index 1 of "},
     });
 }
 
@@ -131,13 +131,13 @@ TEST_CASE("sparse accessors must name elements that there are, in order") {
 
 TEST_CASE("nodes that are no tree, or no transform, are named") {
     checkSpoilt({
-        {[](json& d) { d["nodes"][0]["children"] = {0}; }, "nodes[0]: it is reached in two ways"},
+        {[](json& d) { d["nodes"][0]["children"] = {0}; }, "nodes[0]: the node is reached more than once"},
         {[](json& d) {
              d["nodes"].push_back({{"children", {0}}});
              d["nodes"][0]["children"] = {1};
          },
-         "nodes[0]: it is reached in two ways"},
-        {[](json& d) { d["scenes"][0]["nodes"] = {0, 0}; }, "nodes[0]: it is reached in two ways"},
+         "nodes[0]: the node is reached more than once"},
+        {[](json& d) { d["scenes"][0]["nodes"] = {0, 0}; }, "nodes[0]: the node is reached more than once"},
         {[](json& d) {
              d.erase("scenes"); // all nodes lie on a circle: none is a root
              d["nodes"][0]["children"] = {0};
@@ -200,7 +200,7 @@ TEST_CASE("buffers come from the file or from its folder, never from elsewhere")
     folder.write("models/inside.bin", pyramidGltf().buffer);
     CHECK_FALSE(load("./inside.bin", size));
     CHECK_THAT(load("inside.bin", size + 1).value().what(),
-               ContainsSubstring("buffers[0].byteLength: the buffer is to have 133 bytes, there are 132"));
+               ContainsSubstring("buffers[0].byteLength: the buffer declares 133 bytes, but holds 132"));
     CHECK_THAT(load("missing.bin", size).value().what(), ContainsSubstring("no such file"));
     CHECK_THAT(load("data:text/plain,abc", size).value().what(), ContainsSubstring("must be base64"));
     CHECK_THAT(load("data:;base64,ab*d", size).value().what(), ContainsSubstring("not valid base64"));
@@ -220,7 +220,7 @@ TEST_CASE("a binary glTF file cut off anywhere, or changed in its header, is an 
         return std::string(whole).replace(at, 4, bytes);
     };
     checkGltfRejected(changed(4, 1), "binary glTF version 1 is not supported");
-    checkGltfRejected(changed(8, 100), "byte 8: the header promises 100 bytes");
+    checkGltfRejected(changed(8, 100), "byte 8: the header declares 100 bytes");
     checkGltfRejected(changed(12, 0xffffffffU), "byte 12: a chunk of 4294967295 bytes goes beyond");
     checkGltfRejected(changed(16, 0x004e4942U), "byte 12: the first chunk is not JSON");
 }

@@ -154,7 +154,7 @@ TEST_CASE("an arrowhead is cut at its dent, and a worse polygon is refused") {
     // A U: no corner sees all the others.
     checkRejected(parseObj,
                   "v 0 0 0\nv 3 0 0\nv 3 3 0\nv 2 3 0\nv 2 1 0\nv 1 1 0\nv 1 3 0\nv 0 3 0\n$f 1 2 3 4 5 6 7 8\n",
-                  "face 1: a polygon that is not convex");
+                  "face 1: polygon is not convex");
 }
 
 TEST_CASE("a polygon of many corners becomes two triangles fewer") {
@@ -206,8 +206,8 @@ TEST_CASE("mistakes in an OBJ file are reported with line and column") {
         {three + "f $1/ 2 3\n", "expected the index of a texture coordinate, found ''"},
         {three + "f $1// 2 3\n", "expected the index of a normal, found ''"},
         {three + "vn 0 0 1\nf $1//1/1 2 3\n", "expected the index of a normal, found '1/1'"},
-        {three + "$f 1 2\n", "a face of 2 corners"},
-        {three + "$f\n", "a face of 0 corners"},
+        {three + "$f 1 2\n", "face has 2 corners"},
+        {three + "$f\n", "face has 0 corners"},
         {"v 0 0 0\n$v 1 0\n", "'v' is followed by 2 numbers"},
         {"v 0 $x 0\n", "expected a number, found 'x'"},
         {"v 0 $nan 0\n", "not a finite number"},
@@ -232,17 +232,17 @@ TEST_CASE("mistakes in an ascii PLY file are reported with line and column") {
     const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n";
     const std::vector<Case> cases{
         {"$plyx\n", "not a PLY file"},
-        {"ply\n$", "the header does not end"},
-        {"ply\nformat ascii 1.0\n$", "the header does not end"},
+        {"ply\n$", "unexpected end of file in the header"},
+        {"ply\nformat ascii 1.0\n$", "unexpected end of file in the header"},
         {"ply\n$format ascii 2.0\n", "expected 'format'"},
         {"ply\n$format binary 1.0\n", "unknown PLY format 'binary'"},
         {"ply\n$end_header\n", "the header has no 'format' line"},
         {"ply\nformat ascii 1.0\nend_header\n", "the file has no vertices"},
-        {"ply\nformat ascii 1.0\n$property float x\n", "a property before the first element"},
+        {"ply\nformat ascii 1.0\n$property float x\n", "property before the first element"},
         {"ply\nformat ascii 1.0\n$element vertex -3\n", "expected 'element'"},
         {"ply\nformat ascii 1.0\n$element vertex many\n", "expected 'element'"},
-        {"ply\nformat ascii 1.0\nelement vertex 3\n$element vertex 3\n", "a second element 'vertex'"},
-        {"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n$property float x\n", "a second property 'x'"},
+        {"ply\nformat ascii 1.0\nelement vertex 3\n$element vertex 3\n", "duplicate element 'vertex'"},
+        {"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n$property float x\n", "duplicate property 'x'"},
         {"ply\nformat ascii 1.0\nelement vertex 3\n$property real x\n", "unknown type 'real'"},
         {"ply\nformat ascii 1.0\nelement face 3\n$property list float int vertex_indices\n", "whole-number type"},
         {"ply\n$nonsense\n", "unknown header line"},
@@ -259,11 +259,11 @@ TEST_CASE("mistakes in an ascii PLY file are reported with line and column") {
         {kPlyTop + vertices + "3 0 $-1 2\n", "the index -1 of a vertex"},
         {kPlyTop + vertices + "3 0 $1.5 2\n", "expected a whole number, found '1.5'"},
         {kPlyTop + vertices + "3 0 $4294967296 2\n", "does not fit the type"}, // 2^32
-        {kPlyTop + vertices + "$2 0 1\n", "a face of 2 corners"},
-        {kPlyTop + vertices + "$0\n", "a face of 0 corners"},
-        {kPlyTop + vertices + "$200 0 1 2\n", "is to hold 200 values, the line ends before"},
+        {kPlyTop + vertices + "$2 0 1\n", "face has 2 corners"},
+        {kPlyTop + vertices + "$0\n", "face has 0 corners"},
+        {kPlyTop + vertices + "$200 0 1 2\n", "declares 200 values, but the line ends first"},
         {kPlyTop + vertices + "$-3 0 1 2\n", "does not fit the type"},
-        {kPlyTop + vertices, "promises 1 of 'face'"},
+        {kPlyTop + vertices, "declares 1 of 'face'"},
         {"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
          "element face 0\nproperty list uchar int vertex_indices\nend_header\n" +
              vertices,

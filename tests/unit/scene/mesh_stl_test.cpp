@@ -128,5 +128,5 @@ TEST_CASE("a binary STL file that is cut off, or promises what it does not hold,
     CHECK(errorOf([&] { return parseStl(whole + '\0', "long.stl"); }));
     std::string huge(80, ' ');
     put(huge, std::uint32_t{0xffffffff}, false); // 215 GB
-    checkRejected(parseStl, huge + "1234", "promises 4294967295 triangles of 50 bytes, 4 bytes follow");
+    checkRejected(parseStl, huge + "1234", "declares 4294967295 triangles of 50 bytes, 4 bytes follow");
 }
