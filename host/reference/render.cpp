@@ -3,9 +3,9 @@
 
 #include "reference/bsdf/custom_twins.h"
 #include "reference/integrators/path.h"
+#include "reference/integrators/photon_views.h"
 #include "reference/integrators/ppm.h"
 #include "reference/integrators/whitted.h"
-#include "reference/photons/photon_views.h"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
 #include "render/renderer.h"
 
 #include "base/stopwatch.h"
-#include "render/integrators/path.h"
-#include "render/integrators/photon_mapping.h"
-#include "render/integrators/ppm.h"
-#include "render/integrators/whitted.h"
+#include "render/film/scene_identity.h"
+#include "render/integrators/path/path.h"
+#include "render/integrators/photonmap/photon_mapping.h"
+#include "render/integrators/ppm/ppm.h"
+#include "render/integrators/whitted/whitted.h"
 #include "render/upload/custom_code.h"
-#include "render/upload/scene_identity.h"
 
 #include <bit>
 

@@ -1,6 +1,6 @@
 // Scenes whose radiance is known on paper, rendered on the device.
 #include "kernel/kernel_support.h"
-#include "render/integrators/ppm.h"
+#include "render/integrators/ppm/ppm.h"
 #include "render/renderer.h"
 
 namespace hyalite::testing {

@@ -1,7 +1,7 @@
 #include "image/known_answer.h"
 
 #include "reference/render.h"
-#include "render/integrators/ppm.h"
+#include "render/integrators/ppm/ppm.h"
 #include "render/renderer.h"
 #include "render/upload/device_scene.h"
 #include "support/gpu_fixture.h"

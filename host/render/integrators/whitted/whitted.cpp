@@ -1,4 +1,4 @@
-#include "render/integrators/whitted.h"
+#include "render/integrators/whitted/whitted.h"
 
 #include "scene/model/render_seed.h"
 

@@ -1,7 +1,7 @@
-#include "render/integrators/photon_mapping.h"
+#include "render/integrators/photonmap/photon_mapping.h"
 
+#include "render/film/scene_identity.h"
 #include "render/photons/photon_file.h"
-#include "render/upload/scene_identity.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "render/upload/scene_identity.h"
+#include "render/film/scene_identity.h"
 
 #include "base/fnv.h"
 #include "gpu/shader_compiler.h"

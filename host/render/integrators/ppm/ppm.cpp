@@ -1,4 +1,4 @@
-#include "render/integrators/ppm.h"
+#include "render/integrators/ppm/ppm.h"
 
 #include "geometry/search_radius.h"
 #include "render/photons/photon_slots.h"

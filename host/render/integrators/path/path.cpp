@@ -1,4 +1,4 @@
-#include "render/integrators/path.h"
+#include "render/integrators/path/path.h"
 
 namespace hyalite::render {
 
