@@ -111,8 +111,8 @@ Json describe(const LiveRenderer::Frame& frame) {
               {"of_passes", frame.ofPasses},
               {"error", nullptr},
               {"stages", std::move(stages)},
-              {"photons_stored", frame.counts.photonsStored},
-              {"caustic_photons_stored", frame.counts.causticPhotonsStored},
+              {"photons_stored", frame.counts[render::Counter::PhotonsStored]},
+              {"caustic_photons_stored", frame.counts[render::Counter::CausticPhotonsStored]},
               {"radius", frame.notes.searchRadius},
               {"warnings", frame.notes.warnings}};
     if (frame.error) {

@@ -36,11 +36,11 @@ void DebugView::drawSurfaces() {
                          shared::ShowSurfaceArguments{queue.rays, queue.hits, deviceScene_.normals,
                                                       deviceScene_.instances, colors_, queue.count, shown},
                          queue.count);
-    counts_.cameraRays += queue.count;
+    counts_[Counter::CameraRays] += queue.count;
 }
 
 void DebugView::countSegments(std::uint32_t pass) {
-    counts_.cameraRays += cameraPaths_.follow(pass, visiblePoints_, emitted_, nullptr).camera;
+    counts_[Counter::CameraRays] += cameraPaths_.follow(pass, visiblePoints_, emitted_, nullptr).camera;
     device_.commands.finish();
     std::ranges::transform(visiblePoints_.host(), colors_.host().begin(), [](const shared::VisiblePoint& point) {
         return glm::vec3(static_cast<float>(point.depth));

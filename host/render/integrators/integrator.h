@@ -1,6 +1,7 @@
 // What a way of computing light transport offers: independent passes, each of which adds one estimate per pixel.
 #pragma once
 
+#include "render/film/counts.h"
 #include "render/photons/light_balance.h"
 
 #include <cstdint>
@@ -8,32 +9,6 @@
 #include <vector>
 
 namespace hyalite::render {
-
-// Counts over all passes so far.
-struct Counts {
-    std::uint64_t cameraRays = 0;
-    std::uint64_t shadowRays = 0;
-    std::uint64_t photonRays = 0;
-    std::uint64_t photonsEmitted = 0;
-    std::uint64_t photonsStored = 0;
-    std::uint64_t shadowRaysSaved = 0;       // photonmap: answered by shadow photons
-    std::uint64_t causticPhotonsEmitted = 0; // ppm, photonmap: for the caustics alone
-    std::uint64_t causticPhotonsStored = 0;
-
-    Counts& operator+=(const Counts& more);
-};
-
-inline Counts& Counts::operator+=(const Counts& more) {
-    cameraRays += more.cameraRays;
-    shadowRays += more.shadowRays;
-    photonRays += more.photonRays;
-    photonsEmitted += more.photonsEmitted;
-    photonsStored += more.photonsStored;
-    shadowRaysSaved += more.shadowRaysSaved;
-    causticPhotonsEmitted += more.causticPhotonsEmitted;
-    causticPhotonsStored += more.causticPhotonsStored;
-    return *this;
-}
 
 // What a user should know of a picture besides the picture.
 struct RenderNotes {

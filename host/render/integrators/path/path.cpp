@@ -19,15 +19,15 @@ void PathTracing::renderPass(std::uint32_t pass) {
         // Light that a shadow ray brings to the diffuse surfaces that paths have just come to …
         lightSampler_.sample(visiblePoints_, shared::kNone, pass, maxDepth, depth);
         lightSampler_.trace(sampled_);
-        counts_.shadowRays += queue.count;
+        counts_[Counter::ShadowRays] += queue.count;
         // … and the ways on from there
         device_.commands.run(bouncePaths_,
                              shared::BouncePathsArguments{queue.paths, visiblePoints_, queue.nextRays, queue.nextPaths,
                                                           queue.alive, queue.count, depth, maxDepth, pass},
                              queue.count);
     });
-    counts_.cameraRays += rays.camera;
-    counts_.shadowRays += rays.shadow;
+    counts_[Counter::CameraRays] += rays.camera;
+    counts_[Counter::ShadowRays] += rays.shadow;
     film_.add(device_, 0, met_);
     film_.add(device_, 1, sampled_);
     device_.commands.finish();

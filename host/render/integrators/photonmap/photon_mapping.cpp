@@ -65,8 +65,8 @@ void PhotonMapping::renderPass(std::uint32_t pass) {
     device_.commands.clear(direct_.buffer());
     cameraPaths_.generate(pass);
     const RaysTraced rays = cameraPaths_.follow(pass, visiblePoints_, emitted_, &direct_);
-    counts_.cameraRays += rays.camera;
-    counts_.shadowRays += rays.shadow;
+    counts_[Counter::CameraRays] += rays.camera;
+    counts_[Counter::ShadowRays] += rays.shadow;
     switch (scene_.render.photonMap.view) {
     case PhotonView::GlobalMap:
         maps_.estimateGlobal(visiblePoints_, kAllLight, indirect_, radii_);
@@ -92,7 +92,7 @@ void PhotonMapping::renderPass(std::uint32_t pass) {
         break;
     }
     device_.commands.finish();
-    counts_.photonRays = maps_.raysTraced();
+    counts_[Counter::PhotonRays] = maps_.raysTraced();
 }
 
 void PhotonMapping::prepareMaps() {
@@ -115,10 +115,10 @@ void PhotonMapping::prepareMaps() {
 void PhotonMapping::noteMaps() {
     const PhotonMapSettings& settings = scene_.render.photonMap;
     const PhotonLists& lists = maps_.lists();
-    counts_.photonsEmitted = scene_.render.photons;
-    counts_.photonsStored = lists.global.size();
-    counts_.causticPhotonsEmitted = maps_.hasTargets() ? settings.causticPhotons : 0;
-    counts_.causticPhotonsStored = lists.caustic.size();
+    counts_[Counter::PhotonsEmitted] = scene_.render.photons;
+    counts_[Counter::PhotonsStored] = lists.global.size();
+    counts_[Counter::CausticPhotonsEmitted] = maps_.hasTargets() ? settings.causticPhotons : 0;
+    counts_[Counter::CausticPhotonsStored] = lists.caustic.size();
     notes_.lights = maps_.balance();
     const auto warn = [&](const std::string& text) { notes_.warnings.push_back(text); };
     if (lists.global.empty()) {
@@ -168,14 +168,14 @@ void PhotonMapping::sampleDirectLight(std::uint32_t pass) {
                                                          light, pixels},
                          pixels);
         } else {
-            counts_.shadowRays += pixels;
+            counts_[Counter::ShadowRays] += pixels;
         }
         lightSampler_.trace(direct_);
     }
     if (classified) {
         commands.finish();
-        counts_.shadowRaysSaved += shadowRayCounts_.host()[0];
-        counts_.shadowRays += shadowRayCounts_.host()[1];
+        counts_[Counter::ShadowRaysSaved] += shadowRayCounts_.host()[0];
+        counts_[Counter::ShadowRays] += shadowRayCounts_.host()[1];
         std::ranges::fill(shadowRayCounts_.host(), 0U);
     }
 }
@@ -196,7 +196,7 @@ void PhotonMapping::gatherIndirectLight(std::uint32_t pass) {
         commands.clear(gatherPoints_.buffer());
         cameraPaths_.compact(pixels);
         // Light straight from lamps, wherever it falls on the way, is caustic or direct light
-        counts_.cameraRays += cameraPaths_.follow(gather, gatherPoints_, unused_, nullptr).camera;
+        counts_[Counter::CameraRays] += cameraPaths_.follow(gather, gatherPoints_, unused_, nullptr).camera;
         if (settings.precomputedIrradiance) {
             maps_.addIrradiance(gatherPoints_, indirect_, scale);
         } else {

@@ -89,8 +89,8 @@ void Ppm::renderPass(std::uint32_t pass) {
     device_.commands.clear(direct_.buffer());
     cameraPaths_.generate(pass);
     const RaysTraced rays = cameraPaths_.follow(pass, visiblePoints_, emitted_, &direct_);
-    counts_.cameraRays += rays.camera;
-    counts_.shadowRays += rays.shadow;
+    counts_[Counter::CameraRays] += rays.camera;
+    counts_[Counter::ShadowRays] += rays.shadow;
     // Light that comes to the diffuse surface straight from a lamp
     sampleDirectLight(pass);
     film_.add(device_, kEmitted, emitted_);
@@ -107,7 +107,7 @@ void Ppm::renderPass(std::uint32_t pass) {
 void Ppm::sampleDirectLight(std::uint32_t pass) {
     lightSampler_.sample(visiblePoints_, shared::kNone, pass, scene_.render.maxDepth);
     lightSampler_.trace(direct_);
-    counts_.shadowRays += film_.pixelCount();
+    counts_[Counter::ShadowRays] += film_.pixelCount();
 }
 
 void Ppm::gather(const Photons& photons, std::uint32_t pass) {
@@ -120,9 +120,10 @@ void Ppm::gather(const Photons& photons, std::uint32_t pass) {
                          shared::GatherRadianceArguments{visiblePoints_, grid_.cellStarts(), gathered_, grid_.record(),
                                                          radius, pixels, scene_.render.maxDepth, film_.resolution().x},
                          pixels);
-    counts_.photonRays += photonPaths_.raysTraced() - raysBefore;
-    (photons.layer == kCaustic ? counts_.causticPhotonsEmitted : counts_.photonsEmitted) += photons.count;
-    (photons.layer == kCaustic ? counts_.causticPhotonsStored : counts_.photonsStored) += grid_.photonCount();
+    counts_[Counter::PhotonRays] += photonPaths_.raysTraced() - raysBefore;
+    const bool caustic = photons.layer == kCaustic;
+    counts_[caustic ? Counter::CausticPhotonsEmitted : Counter::PhotonsEmitted] += photons.count;
+    counts_[caustic ? Counter::CausticPhotonsStored : Counter::PhotonsStored] += grid_.photonCount();
 }
 
 } // namespace hyalite::render

@@ -107,10 +107,10 @@ void Whitted::trace(std::uint32_t pass, std::uint32_t depth, std::uint32_t count
                                                        .emitted = kept_.emitted,
                                                        .visiblePoints = kept_.visiblePoints},
                          count);
-    counts_.cameraRays += count;
-    counts_.shadowRays += std::uint64_t{count} * deviceScene_.lightCount;
+    counts_[Counter::CameraRays] += count;
+    counts_[Counter::ShadowRays] += std::uint64_t{count} * deviceScene_.lightCount;
     for (std::uint32_t lamp = 0; lamp < deviceScene_.lightCount; ++lamp) {
-        counts_.shadowRays += roughLight_.sample(level.roughPoints, light, count, lamp, pass);
+        counts_[Counter::ShadowRays] += roughLight_.sample(level.roughPoints, light, count, lamp, pass);
     }
 }
 
