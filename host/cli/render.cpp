@@ -1,5 +1,4 @@
 // `hyalite render`: a scene file to pictures, on the device or by the reference.
-#include "reference/render.h"
 #include "base/interrupt.h"
 #include "base/numbers.h"
 #include "base/output_file.h"
@@ -13,6 +12,8 @@
 #include "image/image_io.h"
 #include "render/debug/buffer_dump.h"
 #include "render/film/render_identity.h"
+#include "render/integrators/registry.h"
+#include "render/renderer.h"
 #include "render/wavefront/device.h"
 #include "scene/load/load_scene.h"
 
@@ -100,8 +101,7 @@ LayeredImage renderOnDevice(const RenderCommand& command, const Scene& scene, Pr
     renderOptions.firstPass = command.firstPass;
     renderOptions.stop = [] { return InterruptWatch::signal() != nullptr; };
     renderOptions.checkpoint = {command.checkpoint, command.resume, command.checkpointEvery};
-    renderOptions.savePhotons = command.savePhotons;
-    renderOptions.loadPhotons = command.loadPhotons;
+    renderOptions.photonFiles = {.save = command.savePhotons, .load = command.loadPhotons};
     std::vector<render::DumpRequest> requests;
     for (const std::string& dump : command.dumps) {
         requests.push_back(render::dumpRequest(dump));
@@ -149,19 +149,40 @@ LayeredImage renderByReference(const RenderCommand& command, const Scene& scene,
         return !report.interrupted && render::timeForAnotherPass(progress, command.time) &&
                !render::reachesTarget(progress, scene.render.targetError);
     };
-    return reference::render(scene, options);
+    return render::renderByReference(scene, options);
+}
+
+// "a", "a and b", "a, b and c".
+std::string listOf(const std::vector<std::string_view>& words) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        text += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + std::string(words[i]);
+    }
+    return text;
+}
+
+template <class Predicate>
+std::vector<std::string_view> integratorsThat(const Predicate& predicate) {
+    std::vector<std::string_view> names;
+    for (const render::IntegratorKind& kind : render::integratorKinds()) {
+        if (predicate(kind)) {
+            names.push_back(kind.name);
+        }
+    }
+    return names;
 }
 
 // Options that have no use with this integrator or these outputs.
 void refuseUnused(const RenderCommand& command, const Scene& scene) {
-    const bool photonMap = scene.render.integrator == Integrator::PhotonMap;
-    if (!photonMap && !(command.savePhotons.empty() && command.loadPhotons.empty())) {
-        throw Error(ExitCode::WrongUsage, "only integrator photonmap saves and loads photon maps",
-                    "add --integrator photonmap");
+    const render::IntegratorKind& integrator = render::integratorKind(scene);
+    if (!integrator.keepsPhotons && !(command.savePhotons.empty() && command.loadPhotons.empty())) {
+        const auto keepers = integratorsThat([](const auto& kind) { return kind.keepsPhotons; });
+        throw Error(ExitCode::WrongUsage, "only integrator " + listOf(keepers) + " saves and loads photon maps",
+                    "add --integrator " + std::string(keepers.front()));
     }
     const bool anyExr = std::ranges::any_of(
         command.outputs, [](const std::string& output) { return std::filesystem::path(output).extension() == ".exr"; });
-    const bool hasLayers = photonMap || (command.backend == "vulkan" && scene.render.integrator == Integrator::Ppm);
+    const bool hasLayers = integrator.keepsPhotons || (command.backend == "vulkan" && scene.render.integrator == "ppm");
     if (command.layers && !hasLayers && scene.render.passes == 1) {
         throw Error(ExitCode::WrongUsage,
                     "--layers has no use here: this picture is not a sum, and one pass has no error",
@@ -236,7 +257,7 @@ void renderScene(RenderCommand command, ExitCode& exit) {
 
     RenderReport report;
     report.scene = command.scene;
-    report.integrator = render::nameOf(scene.render.integrator);
+    report.integrator = scene.render.integrator;
     report.backend = command.backend;
     report.seed = scene.render.seed;
     report.sampler = render::nameOf(scene.render.sampler);
@@ -276,8 +297,7 @@ void addRender(CLI::App& app, ExitCode& exit) {
         SceneSetting& setting = command->shorthands[index];
         sub->add_option(setting.option, setting.value, text);
     };
-    shorthand(0, "ppm (progressive photon mapping), photonmap (in two passes), whitted (recursive ray tracing) or path "
-                 "(path tracing, unbiased)");
+    shorthand(0, integratorHelp());
     shorthand(1, "picture size, WIDTHxHEIGHT");
     shorthand(2, "passes, each one sample per pixel; FIRST:END: a part of them, see merge");
     shorthand(3, "the same as --passes");

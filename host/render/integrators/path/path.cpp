@@ -1,14 +1,23 @@
 #include "render/integrators/path/path.h"
 
+#include "reference/integrators/path.h"
+
 namespace hyalite::render {
 
-PathTracing::PathTracing(Device& device, const Scene& scene, const DeviceScene& deviceScene, const Film& film)
-    : device_(device), scene_(scene), film_(film),
-      cameraPaths_(device, scene, deviceScene, film.pixelCount(), AtDiffuse::Bounces),
-      lightSampler_(device, deviceScene, film.pixelCount()), bouncePaths_(device.kernel("bounce_paths")),
-      visiblePoints_(device.context, film.pixelCount(), "visible points"),
-      met_(device.context, film.pixelCount(), "light met"),
-      sampled_(device.context, film.pixelCount(), "light sampled") {}
+IntegratorKind PathTracing::kind() {
+    return {.name = "path",
+            .layers = [](const RenderSettings&) -> std::vector<LayerKind> { return {{"met"}, {"sampled"}}; },
+            .make = makeIntegrator<PathTracing>,
+            .reference = reference::renderPath};
+}
+
+PathTracing::PathTracing(const IntegratorInput& input)
+    : device_(input.device), scene_(input.scene), film_(input.film),
+      cameraPaths_(device_, scene_, input.deviceScene, film_.pixelCount(), AtDiffuse::Bounces),
+      lightSampler_(device_, input.deviceScene, film_.pixelCount()), bouncePaths_(device_.kernel("bounce_paths")),
+      visiblePoints_(device_.context, film_.pixelCount(), "visible points"),
+      met_(device_.context, film_.pixelCount(), "light met"),
+      sampled_(device_.context, film_.pixelCount(), "light sampled") {}
 
 void PathTracing::renderPass(std::uint32_t pass) {
     const std::uint32_t maxDepth = scene_.render.maxDepth;
@@ -22,8 +31,15 @@ void PathTracing::renderPass(std::uint32_t pass) {
         counts_[Counter::ShadowRays] += queue.count;
         // … and the ways on from there
         device_.commands.run(bouncePaths_,
-                             shared::BouncePathsArguments{queue.paths, visiblePoints_, queue.nextRays, queue.nextPaths,
-                                                          queue.alive, queue.count, depth, maxDepth, pass},
+                             shared::BouncePathsArguments{.paths = queue.paths,
+                                                          .visiblePoints = visiblePoints_,
+                                                          .nextRays = queue.nextRays,
+                                                          .nextPaths = queue.nextPaths,
+                                                          .alive = queue.alive,
+                                                          .count = queue.count,
+                                                          .depth = depth,
+                                                          .maxDepth = maxDepth,
+                                                          .pass = pass},
                              queue.count);
     });
     counts_[Counter::CameraRays] += rays.camera;
