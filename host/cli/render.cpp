@@ -172,6 +172,11 @@ std::vector<std::string_view> integratorsThat(const Predicate& predicate) {
     return names;
 }
 
+// Whether this picture is the sum of several layers, and these are kept.
+bool hasLayers(const render::IntegratorKind& kind, const RenderSettings& settings, bool byReference) {
+    return kind.layers(settings).size() > 1 && (!byReference || kind.referenceHasLayers);
+}
+
 // Options that have no use with this integrator or these outputs.
 void refuseUnused(const RenderCommand& command, const Scene& scene) {
     const render::IntegratorKind& integrator = render::integratorKind(scene);
@@ -182,11 +187,14 @@ void refuseUnused(const RenderCommand& command, const Scene& scene) {
     }
     const bool anyExr = std::ranges::any_of(
         command.outputs, [](const std::string& output) { return std::filesystem::path(output).extension() == ".exr"; });
-    const bool hasLayers = integrator.keepsPhotons || (command.backend == "vulkan" && scene.render.integrator == "ppm");
-    if (command.layers && !hasLayers && scene.render.passes == 1) {
+    const bool byReference = command.backend == "reference";
+    if (command.layers && !hasLayers(integrator, scene.render, byReference) && scene.render.passes == 1) {
+        const auto layered =
+            integratorsThat([&](const auto& kind) { return hasLayers(kind, RenderSettings(), byReference); });
         throw Error(ExitCode::WrongUsage,
                     "--layers has no use here: this picture is not a sum, and one pass has no error",
-                    "photonmap has layers, and ppm on the device; the error needs two passes");
+                    "integrators with layers" + std::string(byReference ? " in the reference" : "") + ": " +
+                        listOf(layered) + "; the error needs two passes");
     }
     if (command.layers && !anyExr) {
         throw Error(ExitCode::WrongUsage, "--layers has no use without an .exr file to write them to",

@@ -73,6 +73,7 @@ struct IntegratorKind {
     std::vector<LayerKind> (*layers)(const RenderSettings&); // of its film
     std::unique_ptr<PassIntegrator> (*make)(const IntegratorInput&);
     reference::Integrator reference; // the same in double precision
+    bool referenceHasLayers = false; // whose pictures keep their layers too
     bool keepsPhotons = false;       // those of pass 0 serve all passes, and may be saved and loaded
     // Changes settings that no path depends on, so that rendering a pass for the sake of its paths costs little more
     // than they do; nullptr: there are none.

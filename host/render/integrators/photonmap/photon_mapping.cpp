@@ -40,6 +40,7 @@ IntegratorKind PhotonMapping::kind() {
             .layers = layersOf,
             .make = makeIntegrator<PhotonMapping>,
             .reference = reference::renderPhotonMap,
+            .referenceHasLayers = true,
             .keepsPhotons = true,
             .simplifyForPaths = [](RenderSettings& render) { render.photonMap.view = PhotonView::Picture; }};
 }
