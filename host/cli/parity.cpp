@@ -54,7 +54,7 @@ void addSought(CLI::App& sub, Sought& sought) {
         SceneSetting& setting = sought.shorthands[index];
         sub.add_option(setting.option, setting.value, text);
     };
-    shorthand(0, "ppm, photonmap, whitted or path");
+    shorthand(0, integratorHelp());
     shorthand(1, "picture size, WIDTHxHEIGHT");
     shorthand(2, "passes, each one sample per pixel");
     shorthand(3, "photons emitted per pass");

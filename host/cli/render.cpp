@@ -1,5 +1,4 @@
 // `hyalite render`: a scene file to pictures, on the device or by the reference.
-#include "reference/render.h"
 #include "base/interrupt.h"
 #include "base/numbers.h"
 #include "base/output_file.h"
@@ -14,6 +13,8 @@
 #include "image/image_io.h"
 #include "render/debug/buffer_dump.h"
 #include "render/film/render_identity.h"
+#include "render/integrators/registry.h"
+#include "render/renderer.h"
 #include "render/wavefront/device.h"
 #include "scene/load/load_scene.h"
 
@@ -102,8 +103,7 @@ LayeredImage renderOnDevice(const RenderCommand& command, const Scene& scene, Pr
     renderOptions.firstPass = command.firstPass;
     renderOptions.stop = [] { return InterruptWatch::signal() != nullptr; };
     renderOptions.checkpoint = {command.checkpoint, command.resume, command.checkpointEvery};
-    renderOptions.savePhotons = command.savePhotons;
-    renderOptions.loadPhotons = command.loadPhotons;
+    renderOptions.photonFiles = {.save = command.savePhotons, .load = command.loadPhotons};
     std::vector<render::DumpRequest> requests;
     for (const std::string& dump : command.dumps) {
         requests.push_back(render::dumpRequest(dump));
@@ -151,23 +151,52 @@ LayeredImage renderByReference(const RenderCommand& command, const Scene& scene,
         return !report.interrupted && render::timeForAnotherPass(progress, command.time) &&
                !render::reachesTarget(progress, scene.render.targetError);
     };
-    return reference::render(scene, options);
+    return render::renderByReference(scene, options);
+}
+
+// "a", "a and b", "a, b and c".
+std::string listOf(const std::vector<std::string_view>& words) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        text += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + std::string(words[i]);
+    }
+    return text;
+}
+
+template <class Predicate>
+std::vector<std::string_view> integratorsThat(const Predicate& predicate) {
+    std::vector<std::string_view> names;
+    for (const render::IntegratorKind& kind : render::integratorKinds()) {
+        if (predicate(kind)) {
+            names.push_back(kind.name);
+        }
+    }
+    return names;
+}
+
+// Whether this picture is the sum of several layers, and these are kept.
+bool hasLayers(const render::IntegratorKind& kind, const RenderSettings& settings, bool byReference) {
+    return kind.layers(settings).size() > 1 && (!byReference || kind.referenceHasLayers);
 }
 
 // Options that have no use with this integrator or these outputs.
 void refuseUnused(const RenderCommand& command, const Scene& scene) {
-    const bool photonMap = scene.render.integrator == Integrator::PhotonMap;
-    if (!photonMap && !(command.savePhotons.empty() && command.loadPhotons.empty())) {
-        throw Error(ExitCode::WrongUsage, "only integrator photonmap saves and loads photon maps",
-                    "add --integrator photonmap");
+    const render::IntegratorKind& integrator = render::integratorKind(scene);
+    if (!integrator.keepsPhotons && !(command.savePhotons.empty() && command.loadPhotons.empty())) {
+        const auto keepers = integratorsThat([](const auto& kind) { return kind.keepsPhotons; });
+        throw Error(ExitCode::WrongUsage, "only integrator " + listOf(keepers) + " saves and loads photon maps",
+                    "add --integrator " + std::string(keepers.front()));
     }
     const bool anyExr = std::ranges::any_of(
         command.outputs, [](const std::string& output) { return std::filesystem::path(output).extension() == ".exr"; });
-    const bool hasLayers = photonMap || (command.backend == "vulkan" && scene.render.integrator == Integrator::Ppm);
-    if (command.layers && !hasLayers && scene.render.passes == 1) {
+    const bool byReference = command.backend == "reference";
+    if (command.layers && !hasLayers(integrator, scene.render, byReference) && scene.render.passes == 1) {
+        const auto layered =
+            integratorsThat([&](const auto& kind) { return hasLayers(kind, RenderSettings(), byReference); });
         throw Error(ExitCode::WrongUsage,
                     "--layers has no use here: this picture is not a sum, and one pass has no error",
-                    "photonmap has layers, and ppm on the device; the error needs two passes");
+                    "integrators with layers" + std::string(byReference ? " in the reference" : "") + ": " +
+                        listOf(layered) + "; the error needs two passes");
     }
     if (command.layers && !anyExr) {
         throw Error(ExitCode::WrongUsage, "--layers has no use without an .exr file to write them to",
@@ -243,7 +272,7 @@ void renderScene(RenderCommand command, ExitCode& exit) {
 
     RenderReport report;
     report.scene = command.scene;
-    report.integrator = render::nameOf(scene.render.integrator);
+    report.integrator = scene.render.integrator;
     report.backend = command.backend;
     report.seed = scene.render.seed;
     report.sampler = render::nameOf(scene.render.sampler);
@@ -283,8 +312,7 @@ void addRender(CLI::App& app, ExitCode& exit) {
         SceneSetting& setting = command->shorthands[index];
         sub->add_option(setting.option, setting.value, text);
     };
-    shorthand(0, "ppm (progressive photon mapping), photonmap (in two passes), whitted (recursive ray tracing) or path "
-                 "(path tracing, unbiased)");
+    shorthand(0, integratorHelp());
     shorthand(1, "picture size, WIDTHxHEIGHT");
     shorthand(2, "passes, each one sample per pixel; FIRST:END: a part of them, see merge");
     shorthand(3, "the same as --passes");

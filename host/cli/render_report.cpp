@@ -81,14 +81,9 @@ std::string jsonReport(const RenderReport& report) {
         object["buffer_bytes"] = report.memory;
     }
     if (report.counts) {
-        object["counts"] = {{"camera_rays", report.counts->cameraRays},
-                            {"shadow_rays", report.counts->shadowRays},
-                            {"photon_rays", report.counts->photonRays},
-                            {"photons_emitted", report.counts->photonsEmitted},
-                            {"photons_stored", report.counts->photonsStored},
-                            {"shadow_rays_saved", report.counts->shadowRaysSaved},
-                            {"caustic_photons_emitted", report.counts->causticPhotonsEmitted},
-                            {"caustic_photons_stored", report.counts->causticPhotonsStored}};
+        for (const render::CounterRow& row : render::kCounters) {
+            object["counts"][row.key] = (*report.counts)[row.counter];
+        }
     }
     for (const render::LightBalance& light : report.notes.lights) {
         object["lights"].push_back({{"emitted", colorOf(light.emitted)},
@@ -145,7 +140,7 @@ void printReport(const RenderReport& report, const ReportStyle& style) {
         return;
     }
     if (style.profile) {
-        std::cout << stageTable(report) << memoryTable(report) << photonTable(report);
+        std::cout << stageTable(report) << memoryTable(report) << lightTable(report) << countTable(report);
     }
     if (!style.quiet) {
         for (const std::string& output : report.outputs) {
@@ -198,8 +193,8 @@ std::string memoryTable(const RenderReport& report) {
     return table.str();
 }
 
-std::string photonTable(const RenderReport& report) {
-    if (report.notes.lights.empty() || !report.counts) {
+std::string lightTable(const RenderReport& report) {
+    if (report.notes.lights.empty()) {
         return {};
     }
     std::ostringstream table;
@@ -213,15 +208,28 @@ std::string photonTable(const RenderReport& report) {
         }
         table << '\n';
     }
+    return table.str();
+}
+
+std::string countTable(const RenderReport& report) {
+    if (!report.counts) {
+        return {};
+    }
     const render::Counts& counts = *report.counts;
-    const auto share = [&](const char* text, std::uint64_t part, std::uint64_t whole) {
-        if (whole > 0) {
-            table << text << ": " << part << " of " << whole << ", " << std::setprecision(1)
-                  << 100 * static_cast<double>(part) / static_cast<double>(whole) << " %\n";
+    std::ostringstream table;
+    table << std::fixed << std::setprecision(1);
+    for (const render::CounterRow& row : render::kCounters) {
+        std::uint64_t whole = 0;
+        for (const auto& part : row.shareOf) {
+            whole += part ? counts[*part] : 0;
         }
-    };
-    share("caustic photons stored", counts.causticPhotonsStored, counts.causticPhotonsEmitted);
-    share("shadow rays saved", counts.shadowRaysSaved, counts.shadowRaysSaved + counts.shadowRays);
+        if (whole > 0) {
+            table << row.text << ": " << counts[row.counter] << " of " << whole << ", "
+                  << 100 * static_cast<double>(counts[row.counter]) / static_cast<double>(whole) << " %\n";
+        } else if (counts[row.counter] > 0) {
+            table << row.text << ": " << counts[row.counter] << '\n';
+        }
+    }
     return table.str();
 }
 

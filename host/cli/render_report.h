@@ -67,7 +67,10 @@ void printReport(const RenderReport& report, const ReportStyle& style);
 // Buffers by falling size.
 [[nodiscard]] std::string memoryTable(const RenderReport& report);
 
-// What became of the flux of each light [W], and what the photon maps saved; empty where no account was kept.
-[[nodiscard]] std::string photonTable(const RenderReport& report);
+// What became of the flux of each light [W]; empty where no account was kept.
+[[nodiscard]] std::string lightTable(const RenderReport& report);
+
+// The counters (render/film/counts.h) that are not zero, a line each; empty where nothing was counted.
+[[nodiscard]] std::string countTable(const RenderReport& report);
 
 } // namespace hyalite::cli

@@ -1,5 +1,6 @@
 #include "cli/scene_settings.h"
 
+#include "scene/model/integrators.h"
 #include "scene/yaml/settings.h"
 
 #include <algorithm>
@@ -39,6 +40,16 @@ void applySettings(Scene& scene, std::vector<SceneSetting> settings) {
         }
         settings = std::move(refused);
     }
+}
+
+std::string integratorHelp() {
+    std::string text;
+    for (const IntegratorRow& row : kIntegrators) {
+        const bool isFirst = &row == kIntegrators.data();
+        const bool isLast = &row + 1 == kIntegrators.data() + kIntegrators.size();
+        text += (isFirst ? "" : isLast ? " or " : ", ") + std::string(row.name) + " (" + std::string(row.text) + ')';
+    }
+    return text;
 }
 
 } // namespace hyalite::cli

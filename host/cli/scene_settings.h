@@ -23,4 +23,7 @@ struct SceneSetting {
 // refused is tried again after the rest.
 void applySettings(Scene& scene, std::vector<SceneSetting> settings);
 
+// "ppm (progressive photon mapping), … or path (path tracing, unbiased)".
+[[nodiscard]] std::string integratorHelp();
+
 } // namespace hyalite::cli

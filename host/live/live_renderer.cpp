@@ -5,8 +5,10 @@
 #include "parity/path_recorder.h"
 #include "parity/sides.h"
 #include "reference/bsdf/custom_twins.h"
+#include "render/integrators/registry.h"
 #include "render/upload/custom_code.h"
 #include "scene/load/load_scene.h"
+#include "scene/model/integrators.h"
 #include "scene/yaml/settings.h"
 
 #include <algorithm>
@@ -137,9 +139,10 @@ Scene LiveRenderer::withView(const Scene& scene, const View& view) const {
         settings = std::move(refused);
     }
     if (view.shown != "picture" && !debugQuantity(view.shown)) {
-        if (seen.render.integrator != Integrator::PhotonMap) {
+        const IntegratorRow* reader = soleReader("view");
+        if (reader != nullptr && seen.render.integrator != reader->name) {
             seen.render.maxDepth = std::max(seen.render.maxDepth, 1U);
-            apply("render.integrator", "photonmap");
+            apply("render.integrator", std::string(reader->name));
         }
         apply("render.view", view.shown);
     }
@@ -176,14 +179,16 @@ std::unique_ptr<LiveRenderer::Run> LiveRenderer::makeRun(Scene scene, std::optio
     run->scene = std::move(scene);
     run->isPreview = isPreview;
     loaded_->device.camera = render::cameraRecord(run->scene.camera);
+    const render::IntegratorKind& kind = render::integratorKind(run->scene);
     run->film.emplace(device_, run->scene.camera.resolution,
-                      quantity ? render::DebugView::layers() : render::layersOf(run->scene));
+                      quantity ? render::DebugView::layers() : kind.layers(run->scene.render));
+    const render::IntegratorInput input{
+        .device = device_, .scene = run->scene, .deviceScene = loaded_->device, .film = *run->film};
     if (quantity) {
         run->scene.render.passes = 1;
-        run->integrator =
-            std::make_unique<render::DebugView>(device_, run->scene, loaded_->device, *run->film, *quantity);
+        run->integrator = std::make_unique<render::DebugView>(input, *quantity);
     } else {
-        run->integrator = render::makeIntegrator(device_, run->scene, loaded_->device, *run->film, run->options);
+        run->integrator = kind.make(input);
     }
     return run;
 }
@@ -206,6 +211,7 @@ void LiveRenderer::begin(bool isPreview) {
     guard_.mayStop(!isPreview);
     prints_.listen(false, shared::kNone);
     run_ = makeRun(std::move(scene), debugQuantity(view_.shown), isPreview);
+    run_->integrator->prepare();
 }
 
 void LiveRenderer::renderPass() {
@@ -213,6 +219,9 @@ void LiveRenderer::renderPass() {
     const Stopwatch watch;
     prints_.listen(!run_->isPreview && run_->passes == 0, view_.debugPixel);
     timesBefore_ = device_.commands.times();
+    if (run_->passes == 0) {
+        run_->integrator->begin();
+    }
     run_->film->beginPass(run_->passes);
     run_->integrator->renderPass(run_->passes);
     run_->film->endPass();
@@ -260,10 +269,8 @@ parity::RecordedPath LiveRenderer::inspect(std::uint32_t pixel) {
     prints_.listen(false, shared::kNone);
     Scene scene = scene_;
     scene.render.passes = 1;
-    scene.render.photonMap.view = PhotonView::Picture;
-    if (scene.render.integrator == Integrator::Ppm) { // no camera path depends on radii: none need be found
-        scene.render.radius = 1;
-        scene.render.photonMap.causticRadius = 1;
+    if (const auto simplify = render::integratorKind(scene).simplifyForPaths) {
+        simplify(scene.render);
     }
     const parity::Sides sides(scene, loaded_->device);
     parity::PathRecorder recorder(sides, pixel);
@@ -271,6 +278,8 @@ parity::RecordedPath LiveRenderer::inspect(std::uint32_t pixel) {
     const std::unique_ptr<Run> run = makeRun(scene, std::nullopt, false);
     guard_.lookOnToo(&observer);
     try {
+        run->integrator->prepare();
+        run->integrator->begin();
         run->film->beginPass(0);
         run->integrator->renderPass(0);
     } catch (const Interrupted&) {

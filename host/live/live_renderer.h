@@ -77,7 +77,6 @@ private:
     };
     struct Run {
         Scene scene;
-        render::RenderOptions options;
         std::optional<render::Film> film;
         std::unique_ptr<render::PassIntegrator> integrator;
         std::uint32_t passes = 0;

@@ -11,9 +11,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<const char*, 4> kIntegrators{"whitted", "ppm", "photonmap", "path"};
-static_assert(static_cast<int>(Integrator::Path) == 3, "the names are in the order of the enumeration");
-
 Json listOf(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
@@ -56,7 +53,7 @@ std::set<std::string> filesOf(const fs::path& scene) {
 }
 
 Json settingsOf(const RenderSettings& render) {
-    return {{"render.integrator", kIntegrators.at(static_cast<std::size_t>(render.integrator))},
+    return {{"render.integrator", render.integrator},
             {"render.passes", render.passes},
             {"render.photons", render.photons},
             {"render.caustic_photons", render.photonMap.causticPhotons},
@@ -111,8 +108,8 @@ Json describe(const LiveRenderer::Frame& frame) {
               {"of_passes", frame.ofPasses},
               {"error", nullptr},
               {"stages", std::move(stages)},
-              {"photons_stored", frame.counts.photonsStored},
-              {"caustic_photons_stored", frame.counts.causticPhotonsStored},
+              {"photons_stored", frame.counts[render::Counter::PhotonsStored]},
+              {"caustic_photons_stored", frame.counts[render::Counter::CausticPhotonsStored]},
               {"radius", frame.notes.searchRadius},
               {"warnings", frame.notes.warnings}};
     if (frame.error) {

@@ -4,7 +4,7 @@
 #include "image/metrics.h"
 #include "parity/capture.h"
 #include "reference/bsdf/custom_twins.h"
-#include "reference/render.h"
+#include "render/integrators/registry.h"
 #include "render/renderer.h"
 #include "render/wavefront/device.h"
 #include "scene/model/render_seed.h"
@@ -100,7 +100,7 @@ Result compareSides(const gpu::Context& context, const gpu::ShaderCompiler& comp
         for (std::uint32_t pixel = 0; pixels <= kMostShown && pixel < pixels; ++pixel) {
             result.shown.push_back(pathOf(*sides, capture->recorder(), {false, 0, pixel}));
         }
-        result.picture = comparePictures(std::move(rendered.image.picture), reference::render(scene).picture);
+        result.picture = comparePictures(std::move(rendered.image.picture), render::renderByReference(scene).picture);
     }
     return result;
 }
@@ -115,7 +115,7 @@ RecordedPath inspectPhoton(const gpu::Context& context, const gpu::ShaderCompile
                            std::uint32_t pass, const PhotonChoice& photon) {
     const Recording recording(context, compiler, scene, pass);
     const std::uint32_t purpose = photon.isCaustic ? shared::kCausticPhotons : shared::kGlobalPhotons;
-    const std::uint32_t photonPass = scene.render.integrator == Integrator::PhotonMap ? 0 : pass; // maps are made once
+    const std::uint32_t photonPass = render::integratorKind(scene).keepsPhotons ? 0 : pass;
     const std::uint32_t sequence = shared::photonSequence(renderSeed(scene.render), purpose, photonPass);
     const auto& sent = recording.photonPasses();
     const auto found = sent.find(sequence);

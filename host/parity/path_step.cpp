@@ -52,7 +52,7 @@ void stepCamera(const Sides& sides, std::uint32_t pass, const PathState& state, 
     }
     if (shading.visible && shading.visible->f != glm::dvec3(0)) {
         step.vertex.choice |= kDiffuse;
-        if (world.render.integrator == Integrator::Path) {
+        if (world.cameraPaths.bouncesAtDiffuse) {
             if (const auto next = reference::bouncePath(world, *shading.visible, state.camera, pass)) {
                 step.vertex.choice |= kBounced;
                 goOn(*next);

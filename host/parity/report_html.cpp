@@ -87,7 +87,7 @@ void appendList(std::string& text, const Vertices& vertices, std::size_t most) {
 
 // {"k": [photon?, sequence, number], "d": device, "t": twin, "r": random numbers by twin's vertex, "n": vertices
 // in all, "x": first difference}
-void append(std::string& text, Integrator integrator, const RecordedPath& path, std::size_t most) {
+void append(std::string& text, std::string_view integrator, const RecordedPath& path, std::size_t most) {
     text += "{\"k\":[" + std::to_string(path.key.isPhoton ? 1 : 0) + ',' + std::to_string(path.key.sequence) + ',' +
             std::to_string(path.key.number) + "],\"d\":";
     appendList(text, path.device, most);
@@ -113,7 +113,7 @@ void append(std::string& text, Integrator integrator, const RecordedPath& path, 
     text += "},";
 }
 
-std::string listOf(Integrator integrator, const std::vector<RecordedPath>& paths) {
+std::string listOf(std::string_view integrator, const std::vector<RecordedPath>& paths) {
     const std::size_t most = verticesShown(paths);
     std::string text = "[";
     for (const RecordedPath& path : paths) {

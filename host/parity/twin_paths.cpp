@@ -1,6 +1,7 @@
 #include "parity/twin_paths.h"
 
 #include "reference/lib/sampling.h"
+#include "scene/model/integrators.h"
 
 #include <algorithm>
 
@@ -45,7 +46,7 @@ std::vector<Vertex> twinPath(const Sides& sides, const PathKey& key, const refer
     return vertices;
 }
 
-std::vector<RandomNumbers> randomNumbersAt(Integrator integrator, const PathKey& path, const Vertex& vertex) {
+std::vector<RandomNumbers> randomNumbersAt(std::string_view integrator, const PathKey& path, const Vertex& vertex) {
     const shared::Sampler sampler = path.isPhoton ? shared::photonSampler(path.sequence, path.number)
                                                   : shared::pathSampler(vertex.seed, path.sequence);
     const std::uint32_t v = vertex.depth - 1;
@@ -57,7 +58,7 @@ std::vector<RandomNumbers> randomNumbersAt(Integrator integrator, const PathKey&
                                        {"direction", pair(shared::cameraBounce(v))},
                                        {"light", pair(shared::cameraLightChoice(v))},
                                        {"point on it", pair(shared::cameraLightPoint(v))}};
-    if (integrator == Integrator::Path) {
+    if (integratorNamed(integrator).cameraPaths.bouncesAtDiffuse) {
         numbers.push_back({"diffuse bounce", pair(shared::pathBounce(v))});
         numbers.push_back({"roulette", pair(shared::pathRoulette(v))});
     }

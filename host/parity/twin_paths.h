@@ -19,7 +19,7 @@ struct RandomNumbers {
     std::string_view purpose;
     glm::dvec2 numbers;
 };
-[[nodiscard]] std::vector<RandomNumbers> randomNumbersAt(Integrator integrator, const PathKey& path,
+[[nodiscard]] std::vector<RandomNumbers> randomNumbersAt(std::string_view integrator, const PathKey& path,
                                                          const Vertex& vertex);
 
 } // namespace hyalite::parity

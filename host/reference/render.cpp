@@ -1,17 +1,13 @@
-// Picks the integrator.
 #include "reference/render.h"
 
 #include "reference/bsdf/custom_twins.h"
-#include "reference/integrators/path.h"
-#include "reference/integrators/ppm.h"
-#include "reference/integrators/whitted.h"
-#include "reference/photons/photon_views.h"
+#include "reference/world.h"
 
 #include <algorithm>
 
 namespace hyalite::reference {
 
-LayeredImage render(const Scene& scene, const RenderOptions& options) {
+LayeredImage render(const Scene& scene, Integrator integrator, const RenderOptions& options) {
     if (const CustomCode* code = codeWithoutTwin(scene)) {
         throw noTwin(*code);
     }
@@ -20,17 +16,7 @@ LayeredImage render(const Scene& scene, const RenderOptions& options) {
         throw Error(ExitCode::BadInput, SourceLocation{.file = scene.file}, "the scene emits no light",
                     "add a light, or an emission to a quad");
     }
-    switch (scene.render.integrator) {
-    case Integrator::Whitted:
-        return renderWhitted(world, options);
-    case Integrator::PhotonMap:
-        return renderPhotonMap(world, options);
-    case Integrator::Path:
-        return renderPath(world, options);
-    case Integrator::Ppm:
-        break;
-    }
-    return renderPpm(world, options);
+    return integrator(world, options);
 }
 
 } // namespace hyalite::reference

@@ -11,14 +11,19 @@
 
 namespace hyalite::reference {
 
+struct World;
+
 struct RenderOptions {
     // Called after each pass with the number of passes done and the estimated error, see docs/metrics.md; false ends
     // the rendering there. Empty: all passes.
     std::function<bool(std::uint32_t passesDone, std::optional<double> error)> afterPass;
 };
 
-// The mean of the passes rendered, by the integrator and settings of scene.render. The same bits for any number of
-// threads. Throws Error(BadInput) where the scene cannot be rendered or emits no light.
-[[nodiscard]] LayeredImage render(const Scene& scene, const RenderOptions& options = {});
+// Renders a world by its settings: one function for each integrator, see render/integrators/registry.h. The mean of the
+// passes; the same bits for any number of threads.
+using Integrator = LayeredImage (*)(const World& world, const RenderOptions& options);
+
+// The scene by that integrator. Throws Error(BadInput) where the scene cannot be rendered or emits no light.
+[[nodiscard]] LayeredImage render(const Scene& scene, Integrator integrator, const RenderOptions& options = {});
 
 } // namespace hyalite::reference

@@ -151,6 +151,7 @@ SurfacePoint surfaceOf(const Geometry& geometry, const Ray& ray, const Hit& hit)
 World prepareWorld(const Scene& scene) {
     World world{.camera = makeCameraFrame(scene.camera, scene.file),
                 .render = scene.render,
+                .cameraPaths = integratorNamed(scene.render.integrator).cameraPaths,
                 .sceneRadius = sceneRadius(scene),
                 .globalRadius = globalSearchRadius(scene),
                 .causticRadius = causticSearchRadius(scene),

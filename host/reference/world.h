@@ -9,6 +9,7 @@
 #include "reference/shapes/csg.h"
 #include "reference/shapes/geometry.h"
 #include "reference/shapes/solid.h"
+#include "scene/model/integrators.h"
 #include "scene/model/scene.h"
 
 #include <cstdint>
@@ -23,6 +24,7 @@ using Geometry = std::variant<Solid, Quad, Disk, CsgTree>;
 struct World {
     CameraFrame camera;
     RenderSettings render;
+    CameraPathRules cameraPaths;         // of render.integrator
     double sceneRadius = 0;              // of the sphere around what has an end [m]
     double globalRadius = 0;             // photonmap: photons of an estimate lie no farther [m]
     double causticRadius = 0;            // photonmap: those of caustics [m]

@@ -1,49 +1,17 @@
 #include "render/renderer.h"
 
 #include "base/stopwatch.h"
-#include "render/integrators/path.h"
-#include "render/integrators/photon_mapping.h"
-#include "render/integrators/ppm.h"
-#include "render/integrators/whitted.h"
+#include "render/film/scene_identity.h"
+#include "render/integrators/registry.h"
 #include "render/upload/custom_code.h"
-#include "render/upload/scene_identity.h"
 
 #include <bit>
 
 namespace hyalite::render {
 
-std::vector<LayerKind> layersOf(const Scene& scene) {
-    switch (scene.render.integrator) {
-    case Integrator::Whitted:
-        return Whitted::layers();
-    case Integrator::Ppm:
-        return Ppm::layers();
-    case Integrator::PhotonMap:
-        return PhotonMapping::layers(scene.render.photonMap.view);
-    case Integrator::Path:
-        return PathTracing::layers();
-    }
-    return {};
-}
-
-std::unique_ptr<PassIntegrator> makeIntegrator(Device& device, const Scene& scene, const DeviceScene& deviceScene,
-                                               const Film& film, const RenderOptions& options) {
-    switch (scene.render.integrator) {
-    case Integrator::Whitted:
-        return std::make_unique<Whitted>(device, scene, deviceScene, film);
-    case Integrator::Ppm:
-        return std::make_unique<Ppm>(device, scene, deviceScene, film);
-    case Integrator::PhotonMap:
-        return std::make_unique<PhotonMapping>(device, scene, deviceScene, film, options);
-    case Integrator::Path:
-        return std::make_unique<PathTracing>(device, scene, deviceScene, film);
-    }
-    return nullptr;
-}
-
 namespace {
 
-void finishPicture(Device& device, const Film& film, RenderResult& result) {
+void finishPicture(Device& device, Film& film, RenderResult& result) {
     result.image = film.resolve(device);
     result.errorEstimate = film.estimateError(device);
     result.passes = film.passes().count();
@@ -67,6 +35,7 @@ void renderPasses(Device& device, const Scene& scene, const RenderOptions& optio
     };
     lookAtError();
     const Stopwatch passes;
+    bool begun = false;
     for (std::uint32_t pass = range.begin; progress.passes < progress.ofPasses; ++pass) {
         if (film.passes().contains(pass)) {
             continue;
@@ -75,6 +44,10 @@ void renderPasses(Device& device, const Scene& scene, const RenderOptions& optio
         if (result.stopped || !timeForAnotherPass(progress, options.timeLimit) ||
             reachesTarget(progress, scene.render.targetError)) {
             break;
+        }
+        if (!begun) {
+            integrator.begin();
+            begun = true;
         }
         film.beginPass(pass);
         integrator.renderPass(pass);
@@ -122,9 +95,14 @@ RenderResult render(const gpu::Context& context, const gpu::ShaderCompiler& comp
     withCustomCode.replace(customCode(scene));
     Device device(context, withCustomCode, options.profile);
     const DeviceScene deviceScene = uploadScene(context, device.tables, scene);
-    Film film(device, scene.camera.resolution, layersOf(scene));
-    const auto integrator = makeIntegrator(device, scene, deviceScene, film, options);
-
+    const IntegratorKind& kind = integratorKind(scene);
+    Film film(device, scene.camera.resolution, kind.layers(scene.render));
+    const auto integrator = kind.make({.device = device,
+                                       .scene = scene,
+                                       .deviceScene = deviceScene,
+                                       .film = film,
+                                       .photonFiles = options.photonFiles});
+    integrator->prepare();
     if (options.onUpload) {
         options.onUpload(device, deviceScene);
     }

@@ -9,15 +9,10 @@
 #include "render/upload/device_scene.h"
 #include "scene/model/scene.h"
 
-#include <filesystem>
 #include <functional>
-#include <memory>
 #include <optional>
 
 namespace hyalite::render {
-
-struct Device;
-class Film;
 
 struct Progress {
     std::uint32_t passes = 0;            // done, with those resumed from
@@ -34,10 +29,9 @@ struct RenderOptions {
     std::function<void(const Progress&)> onPass; // after every pass
     std::function<bool()> stop;                  // asked before every pass: whether there shall be no more
     CheckpointOptions checkpoint;
-    // Once, before the first pass: may have the device's commands observed
+    // Once, before anything that belongs to the picture is computed: may have the device's commands observed
     std::function<void(Device&, const DeviceScene&)> onUpload;
-    std::filesystem::path savePhotons; // photonmap: write the photon maps here; empty: do not
-    std::filesystem::path loadPhotons; // photonmap: read them from here instead of tracing them
+    PhotonFiles photonFiles;
 };
 
 struct RenderResult {
@@ -66,11 +60,6 @@ struct RenderResult {
 // The picture and its error, in the same bits as if this device had rendered all passes of the film.
 [[nodiscard]] RenderResult resolve(const gpu::Context& context, const gpu::ShaderCompiler& compiler,
                                    const FilmState& film);
-// The layers of the film that the scene's integrator fills, and that integrator; references are kept.
-[[nodiscard]] std::vector<LayerKind> layersOf(const Scene& scene);
-[[nodiscard]] std::unique_ptr<PassIntegrator> makeIntegrator(Device& device, const Scene& scene,
-                                                             const DeviceScene& deviceScene, const Film& film,
-                                                             const RenderOptions& options);
 
 // Whether a pass that takes as long as the passes before it on average would end within `timeLimit` [s]; 0: always.
 [[nodiscard]] bool timeForAnotherPass(const Progress& progress, double timeLimit);

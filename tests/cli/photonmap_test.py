@@ -162,3 +162,18 @@ class Warnings(CliTest):
                            else BALL.replace(f" {setting}: 2000", f" {setting}: {value}"))
                 self.assert_refused(BAD_INPUT, ["scene.yaml:3:", setting],
                                     ["render", "scene.yaml", "-o", "a.png"])
+
+    def test_a_single_pass_has_layers_where_the_picture_is_a_sum_of_them(self):
+        single = ["render", "ball.yaml", "--passes", "1", "--layers", "-o", "a.exr"]
+        self.succeed(*single, "--integrator", "path")
+        picture = Picture(self.folder / "a.exr")
+        met, sampled = (Picture(self.folder / "a.exr", layer=name) for name in ("met", "sampled"))
+        for y in range(16):
+            for x in range(16):
+                for channel in range(3):
+                    total = met.at(x, y)[channel] + sampled.at(x, y)[channel]
+                    self.assertAlmostEqual(picture.at(x, y)[channel], total, delta=1e-6 * (1 + total))
+        self.assertGreater(max(sampled.values()), 0)
+        self.assert_refused(USAGE, ["--layers", "sum", "reference: photonmap;"],
+                            [*single, "--integrator", "path", "--backend", "reference"])
+        self.assert_refused(USAGE, ["--layers", "sum"], [*single, "--set", "render.view=caustic_map"])

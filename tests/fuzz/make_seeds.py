@@ -121,8 +121,8 @@ def image_seeds():
 def checkpoint_seeds():
     """Without the checksum: the fuzzer puts it there."""
     def checkpoint(width, height, ranges=((0, 2),), layers=1, words=1):
-        text = b"scene a.yaml\n" + b"layer light 1\n" * layers + b"set integrator=ppm\nset render.seed=1\n"
-        header = struct.pack("<8sIIIIIId8Q", b"hyachkp1", width, height, layers, len(ranges), len(text), 0, 1.5, *range(8))
+        text = b"scene a.yaml\n" + b"layer light 1\n" * layers + b"set integrator=ppm\nset render.seed=1\ncount camera_rays=7\n"
+        header = struct.pack("<8sIIIIIId", b"hyachkp2", width, height, layers, len(ranges), len(text), 0, 1.5)
         faults = struct.pack("<QII", 0, 0, 0) * 4 * layers
         plane = struct.pack("<I", words) + struct.pack(f"<{3 * width * height}I", *range(3 * width * height)) * words
         return header + text + b"".join(struct.pack("<II", *r) for r in ranges) + faults + plane * 2 * layers

@@ -6,6 +6,7 @@ import re
 RULE = (
     "base <- image <- scene <- geometry <- {gpu, reference} <- kinds <- scene/load <- render <- {parity, bench} <- live <- cli; "
     "Vulkan only under host/gpu; host/scene is model <- import <- yaml, and load stands above kinds; "
+    "host/render is upload <- wavefront <- {photons, film} <- integrators <- debug, then the renderer; "
     "of shaders/ the reference takes only shared/{random,limits,language}.h"
 )
 
@@ -25,7 +26,12 @@ RANK = {
     "cli": 10,
 }
 MAIN = 11  # host/main.cpp
-ROOMS = {"scene": {"model": 0, "import": 1, "yaml": 2}}  # within a folder, likewise
+# Within a folder, likewise; what lies in the folder itself stands above its rooms.
+ROOMS = {
+    "scene": {"model": 0, "import": 1, "yaml": 2},
+    "render": {"upload": 0, "wavefront": 1, "photons": 2, "film": 2, "integrators": 3, "debug": 4},
+}
+ABOVE = 100
 REFERENCE_MAY_TAKE = {f"shaders/shared/{name}.h" for name in ("random", "limits", "language")}
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
 
@@ -88,10 +94,10 @@ def violations_of(tree, path):
             there = folder_of(target)
             if here != there and RANK.get(there, MAIN) >= RANK.get(here, MAIN):
                 yield f"{where}: {here} stands before or beside {there}"
-            rooms = ROOMS.get(here, {})
+            rooms = ROOMS.get(here)
             room, other = room_of(path), room_of(target)
-            if here == there and rooms.get(other, -1) > rooms.get(room, len(rooms)):
-                yield f"{where}: {here}/{room} stands before {here}/{other}"
+            if rooms and here == there and room != other and rooms.get(other, ABOVE) >= rooms.get(room, ABOVE):
+                yield f"{where}: {here}/{room or ''} stands before or beside {here}/{other or ''}"
 
 
 def check(tree):
@@ -103,6 +109,9 @@ CLEAN = {
     "host/main.cpp": '#include "cli/command.h"\n',
     "host/cli/command.h": '#include "render/ppm.h"\n#include "base/error.h"\n',
     "host/render/ppm.h": '#include "gpu/context.h"\n#include "reference/ppm.h"\n#include "kinds/lights/kinds.h"\n',
+    "host/render/integrators/whitted/whitted.h": '#include "render/film/film.h"\n',
+    "host/render/film/film.h": "",
+    "host/render/photons/map.h": "",
     "host/gpu/context.h": '#include "../base/error.h"\n#include <vector>\n',
     "host/gpu/device.h": "#include <vulkan/vulkan_raii.hpp>\n",
     "host/reference/ppm.h": '#include "geometry/bvh.h"\n#include "shaders/shared/random.h"\n',
@@ -125,11 +134,14 @@ PLANTED = [
     ("host/reference/ppm.h", '#include "../../shaders/shared/scene_records.h"\n', "must not take"),
     ("host/render/ppm.h", "#include <vulkan/vulkan.h>\n", "Vulkan outside"),
     ("host/render/ppm.h", '#include "gpu/device.h"\n', "Vulkan outside"),
-    ("host/scene/model/scene.h", '#include "scene/yaml/reader.h"\n', "scene/model stands before scene/yaml"),
+    ("host/scene/model/scene.h", '#include "scene/yaml/reader.h"\n', "scene/model stands before or beside scene/yaml"),
     ("host/reference/ppm.h", '#include "kinds/lights/kinds.h"\n', "reference stands before or beside kinds"),
     ("host/kinds/lights/point.cpp", '#include "render/ppm.h"\n', "kinds stands before or beside render"),
     ("host/kinds/lights/point.cpp", '#include "scene/load/load_scene.h"\n', "kinds stands before or beside scene/load"),
     ("host/scene/yaml/reader.h", '#include "scene/load/load_scene.h"\n', "scene stands before or beside scene/load"),
     ("host/scene/yaml/reader.h", '#include "kinds/lights/kinds.h"\n', "scene stands before or beside kinds"),
+    ("host/render/integrators/whitted/whitted.h", '#include "render/ppm.h"\n', "render/integrators stands before or beside render/"),
+    ("host/render/film/film.h", '#include "render/integrators/whitted/whitted.h"\n', "before or beside render/integrators"),
+    ("host/render/film/film.h", '#include "render/photons/map.h"\n', "render/film stands before or beside render/photons"),
     ("host/extra/thing.h", "\n", "no place in the order"),
 ]

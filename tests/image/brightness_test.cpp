@@ -1,6 +1,6 @@
 // Photon mapping with final gathering against the unbiased path tracer of the reference.
 #include "kernel/kernel_support.h"
-#include "reference/render.h"
+#include "render/integrators/registry.h"
 #include "render/renderer.h"
 #include "scene/load/load_scene.h"
 
@@ -27,7 +27,7 @@ Scene roomWithoutGlass() {
 
 // Three balls in a corner, under a sun and a sky.
 Scene ballsOutdoors() {
-    Scene scene = reference::test::onePixel({0, 2, 6}, {0, 0.5, 0}, Integrator::PhotonMap);
+    Scene scene = reference::test::onePixel({0, 2, 6}, {0, 0.5, 0}, "photonmap");
     scene.camera.fov = 40;
     const std::size_t light = reference::test::addMaterial(scene, Diffuse{{0.7, 0.7, 0.6}});
     const std::size_t red = reference::test::addMaterial(scene, Diffuse{{0.7, 0.2, 0.1}});
@@ -62,14 +62,14 @@ TEST_CASE("final gathering is as bright as path tracing to two in a hundred, whe
     for (auto [name, scene] : scenes) {
         scene.camera.resolution = {32, 32};
         scene.render.maxDepth = 32;
-        scene.render.integrator = Integrator::PhotonMap;
+        scene.render.integrator = "photonmap";
         scene.render.passes = 32;
         scene.render.photonMap.gatherRays = 2;
         const Image photonMap =
             render::render(Gpu::shared().context(), Gpu::shared().compiler(), scene, {}).image.picture;
-        scene.render.integrator = Integrator::Path;
+        scene.render.integrator = "path";
         scene.render.passes = 256;
-        const Image path = reference::render(scene).picture;
+        const Image path = render::renderByReference(scene).picture;
         INFO(name);
         const dvec3 ratio = meanOf(photonMap) / meanOf(path);
         // Paths differ among one another by a few times their mean: 262 144 of them are right to half a percent

@@ -1,6 +1,6 @@
 // Scenes whose radiance is known on paper, rendered on the device.
 #include "kernel/kernel_support.h"
-#include "render/integrators/ppm.h"
+#include "render/integrators/ppm/ppm.h"
 #include "render/renderer.h"
 
 namespace hyalite::testing {
@@ -24,7 +24,7 @@ dvec3 meanOf(const Image& image) {
 TEST_CASE("whitted lights a floor by the inverse square of the distance and the cosine") {
     // Light 2 m above the plane y = 0, I = 3 W/sr; at a point 1.5 m aside d^2 = 6.25, cos = 2 / 2.5 = 0.8:
     // L = albedo / pi * I cos / d^2
-    Scene scene = reference::test::onePixel({1.5, 1, 0.0001}, {1.5, 0, 0}, Integrator::Whitted);
+    Scene scene = reference::test::onePixel({1.5, 1, 0.0001}, {1.5, 0, 0}, "whitted");
     scene.lights = {{{0, 2, 0}, dvec3(3)}};
     const std::size_t floor = reference::test::addMaterial(scene, Diffuse{{0.2, 0.5, 0.9}});
     reference::test::addObject(scene, Quad{{-5, 0, 5}, {10, 0, 0}, {0, 0, -10}}, floor);
@@ -36,7 +36,7 @@ TEST_CASE("whitted lights a floor by the inverse square of the distance and the 
 }
 
 TEST_CASE("a mirror at depth 0 is black and from depth 1 on shows the lamp times its reflectance") {
-    Scene scene = reference::test::onePixel({0, 0, 2}, {0, 0, 0}, Integrator::Whitted);
+    Scene scene = reference::test::onePixel({0, 0, 2}, {0, 0, 0}, "whitted");
     const std::size_t mirror = reference::test::addMaterial(scene, Mirror{{0.9, 0.5, 0.1}});
     reference::test::addObject(scene, Quad{{-1, -1, 0}, {2, 0, 0}, {0, 2, 0}}, mirror);
     // Behind the camera, facing the mirror
@@ -61,7 +61,7 @@ TEST_CASE("the search radius shrinks as Knaus and Zwicker prescribe") {
 
 // One pixel of a white floor at the origin, seen from above, under the scene's lights.
 double radianceOfFloor(Scene scene) {
-    Scene picture = reference::test::onePixel({3, 1, 0}, {0, 0, 0}, Integrator::Whitted);
+    Scene picture = reference::test::onePixel({3, 1, 0}, {0, 0, 0}, "whitted");
     scene.camera = picture.camera;
     scene.render = picture.render;
     scene.render.passes = 256;

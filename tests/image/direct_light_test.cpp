@@ -128,7 +128,7 @@ TEST_CASE("lamps of every shape light a place of the floor as their formulas say
     FalseAlarms alarms(lamps.size() * everyRenderer().size());
     for (const Lamp& lamp : lamps) {
         Scene scene = lamp.scene;
-        const Scene picture = reference::test::onePixel({3, 1, 0}, {0, 0, 0}, Integrator::Whitted);
+        const Scene picture = reference::test::onePixel({3, 1, 0}, {0, 0, 0}, "whitted");
         scene.camera = picture.camera;
         scene.camera.resolution = {16, 16};
         scene.render = picture.render;

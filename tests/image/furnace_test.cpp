@@ -14,12 +14,12 @@ namespace {
 using glm::dvec3;
 using std::numbers::pi;
 
-constexpr Integrator kWithIndirectLight[] = {Integrator::Ppm, Integrator::PhotonMap, Integrator::Path};
+constexpr std::string_view kWithIndirectLight[] = {"ppm", "photonmap", "path"};
 
 // A closed cube of 2 m about the origin whose walls have radiance 1 and the albedo; the camera in its middle looks at
 // that of a wall, 0.27 m about it: farther from the edges than photons are gathered from.
 Scene furnace(double albedo) {
-    Scene scene = reference::test::onePixel({0, 0, 0}, {0, 0, 1}, Integrator::Path);
+    Scene scene = reference::test::onePixel({0, 0, 0}, {0, 0, 1}, "path");
     scene.camera.fov = 30;
     scene.camera.resolution = {8, 8};
     scene.render.maxDepth = 64;
@@ -33,7 +33,7 @@ Scene furnace(double albedo) {
 
 // A sky of radiance 1 about a pixel that sees one place only, `angle` from the normal (+y) of what is there.
 Scene underSky(double angle) {
-    Scene scene = reference::test::onePixel({3 * std::sin(angle), 3 * std::cos(angle), 0}, {0, 0, 0}, Integrator::Path);
+    Scene scene = reference::test::onePixel({3 * std::sin(angle), 3 * std::cos(angle), 0}, {0, 0, 0}, "path");
     scene.camera.resolution = {16, 16};
     scene.environment = Environment{.image = Image(1, 1)};
     scene.environment->image.at(0, 0) = glm::vec3(1);
@@ -52,7 +52,7 @@ TEST_CASE("in a closed furnace radiance is 1 / (1 - a), cut short the terms of i
         for (const Renderer& renderer : renderers) {
             Scene scene = furnace(albedo);
             scene.render.maxDepth = depth;
-            scene.render.passes = renderer.integrator == Integrator::Path ? 128 : 4;
+            scene.render.passes = renderer.integrator == "path" ? 128 : 4;
             INFO(renderer.name << ", albedo " << albedo << ", depth " << depth);
             const double expected = (1 - std::pow(albedo, depth)) / (1 - albedo);
             CHECK(judge(alarms, renderer, scene, everywhere(expected), Independent::Renders,
@@ -62,7 +62,7 @@ TEST_CASE("in a closed furnace radiance is 1 / (1 - a), cut short the terms of i
 }
 
 TEST_CASE("whitted's furnace has the emission and the direct light of its walls, 1 + a") {
-    const Integrator whitted[] = {Integrator::Whitted};
+    const std::string_view whitted[] = {"whitted"};
     const std::vector<Renderer> renderers = renderersOf(whitted);
     FalseAlarms alarms(renderers.size());
     for (const Renderer& renderer : renderers) {
@@ -77,7 +77,7 @@ TEST_CASE("a perfect mirror and clear glass cannot be told from the walls of a f
     // Radiance is the same along every line, and they take none of it. A path of 64 segments has a^32 of the light left
     // after as many diffuse ones, and glass holds a ray for more than 32 as rarely as 0.04^32. The furnace is almost a
     // sphere, whose points all get alike from each other, so that samples of its light have no tail.
-    const Integrator path[] = {Integrator::Path};
+    const std::string_view path[] = {"path"};
     const std::vector<Renderer> renderers = renderersOf(path);
     FalseAlarms alarms(2 * renderers.size());
     for (const MaterialModel& model : {MaterialModel(Mirror{}), MaterialModel(Dielectric{1.5})}) {

@@ -31,8 +31,7 @@ TEST_CASE("a pane of glass at any angle, clear or tinted, transmits (1 - F)^2 a 
     FalseAlarms alarms(cases.size() * everyRenderer().size());
     for (const auto& [degrees, sigma] : cases) {
         const double angle = degrees * pi / 180;
-        Scene scene =
-            reference::test::onePixel({3 * std::sin(angle), 0, 3 * std::cos(angle)}, {0, 0, 0}, Integrator::Path);
+        Scene scene = reference::test::onePixel({3 * std::sin(angle), 0, 3 * std::cos(angle)}, {0, 0, 0}, "path");
         scene.camera.resolution = {16, 16};
         scene.render.maxDepth = 40;
         scene.render.minWeight = 0;
@@ -48,7 +47,7 @@ TEST_CASE("a pane of glass at any angle, clear or tinted, transmits (1 - F)^2 a 
             INFO(renderer.name << ", " << degrees << " degrees, " << sigma << "/m");
             // At 80 degrees F has a slope of 3 per rad, of which pixels see 1e-4. whitted, without chance, is as right
             // as that; the others throw a coin at each face.
-            const bool exact = renderer.integrator == Integrator::Whitted;
+            const bool exact = renderer.integrator == "whitted";
             CHECK(judge(alarms, renderer, scene, everywhere(expected), Independent::Pixels,
                         {.bias = 2e-4, .sees = exact ? 1e-3 : 0.12}));
         }
@@ -65,12 +64,11 @@ TEST_CASE("a lamp in a face of glass has the radiance F L, and no fewer than kSh
     const dvec3 side(std::cos(angle), 0, std::sin(angle));
     const std::vector<Shape> lamps{Quad{2.0 * away - 0.5 * side - dvec3(0, 0.5, 0), {0, 1, 0}, side},
                                    Disk{2.0 * away, {0, 0.7, 0}, 0.7 * side}, Sphere{2.0 * away, 0.7}};
-    const Integrator byChance[] = {Integrator::Ppm, Integrator::Path};
+    const std::string_view byChance[] = {"ppm", "path"};
     const std::vector<Renderer> renderers = renderersOf(byChance);
     FalseAlarms alarms(lamps.size() * renderers.size());
     for (const Shape& lamp : lamps) {
-        Scene scene =
-            reference::test::onePixel({3 * std::sin(angle), 0, 3 * std::cos(angle)}, {0, 0, 0}, Integrator::Ppm);
+        Scene scene = reference::test::onePixel({3 * std::sin(angle), 0, 3 * std::cos(angle)}, {0, 0, 0}, "ppm");
         scene.camera.resolution = {32, 32};
         scene.render.maxDepth = 2;
         scene.render.passes = 1;
@@ -103,7 +101,7 @@ std::pair<double, double> throughBall(double h) {
 TEST_CASE("a glass ball brings the flux of a beam to its focus, in the picture") {
     // A beam of 1 W/m^2, 0.5 m in radius, along -y; the camera looks from below the ball at a white square of the floor
     // with the focus in its middle, in which all of the beam lands: mean radiance = flux / (pi area).
-    Scene scene = reference::test::onePixel({0, -1.2, 0}, {0, -1.5, 0}, Integrator::Ppm);
+    Scene scene = reference::test::onePixel({0, -1.2, 0}, {0, -1.5, 0}, "ppm");
     const double half = 0.25;
     scene.camera.up = {0, 0, 1};
     scene.camera.fov = 2 * std::atan(half / 0.3) * 180 / pi;
@@ -133,7 +131,7 @@ TEST_CASE("a glass ball brings the flux of a beam to its focus, in the picture")
         flux += 2 * pi * h * 0.5 / kRings * share;
     }
     const double expected = flux / (pi * 4 * half * half);
-    const Integrator withCaustics[] = {Integrator::Ppm, Integrator::PhotonMap};
+    const std::string_view withCaustics[] = {"ppm", "photonmap"};
     const std::vector<Renderer> renderers = renderersOf(withCaustics);
     FalseAlarms alarms(renderers.size());
     for (const Renderer& renderer : renderers) {

@@ -1,9 +1,10 @@
 #include "image/known_answer.h"
 
-#include "reference/render.h"
-#include "render/integrators/ppm.h"
+#include "render/integrators/ppm/ppm.h"
+#include "render/integrators/registry.h"
 #include "render/renderer.h"
 #include "render/upload/device_scene.h"
+#include "scene/model/integrators.h"
 #include "support/gpu_fixture.h"
 
 #include <algorithm>
@@ -12,20 +13,18 @@
 namespace hyalite::testing {
 
 const std::vector<Renderer>& everyRenderer() {
-    static const std::vector<Renderer> all{
-        {"whitted, vulkan", Integrator::Whitted, Backend::Vulkan},
-        {"whitted, reference", Integrator::Whitted, Backend::Reference},
-        {"ppm, vulkan", Integrator::Ppm, Backend::Vulkan},
-        {"ppm, reference", Integrator::Ppm, Backend::Reference},
-        {"photonmap, vulkan", Integrator::PhotonMap, Backend::Vulkan},
-        {"photonmap, reference", Integrator::PhotonMap, Backend::Reference},
-        {"path, vulkan", Integrator::Path, Backend::Vulkan},
-        {"path, reference", Integrator::Path, Backend::Reference},
-    };
+    static const std::vector<Renderer> all = [] {
+        std::vector<Renderer> renderers;
+        for (const std::string_view name : kIntegratorNames) {
+            renderers.push_back({std::string(name) + ", vulkan", name, Backend::Vulkan});
+            renderers.push_back({std::string(name) + ", reference", name, Backend::Reference});
+        }
+        return renderers;
+    }();
     return all;
 }
 
-std::vector<Renderer> renderersOf(std::span<const Integrator> integrators) {
+std::vector<Renderer> renderersOf(std::span<const std::string_view> integrators) {
     std::vector<Renderer> chosen;
     std::ranges::copy_if(everyRenderer(), std::back_inserter(chosen), [&](const Renderer& renderer) {
         return std::ranges::find(integrators, renderer.integrator) != integrators.end();
@@ -36,7 +35,7 @@ std::vector<Renderer> renderersOf(std::span<const Integrator> integrators) {
 Image renderBy(const Renderer& renderer, Scene scene) {
     scene.render.integrator = renderer.integrator;
     if (renderer.backend == Backend::Reference) {
-        return reference::render(scene).picture;
+        return render::renderByReference(scene).picture;
     }
     return render::render(Gpu::shared().context(), Gpu::shared().compiler(), scene, {}).image.picture;
 }
@@ -66,8 +65,10 @@ double meanOf(const std::vector<double>& values) {
 std::vector<double> progressiveRatios(Scene scene, std::uint32_t renders, const ExpectedPixel& expected) {
     render::Device device(Gpu::shared().context(), Gpu::shared().compiler(), false);
     const render::DeviceScene deviceScene = render::uploadScene(device.context, device.tables, scene);
-    render::Film film(device, scene.camera.resolution, render::Ppm::layers());
-    render::Ppm ppm(device, scene, deviceScene, film);
+    const render::IntegratorKind kind = render::Ppm::kind();
+    render::Film film(device, scene.camera.resolution, kind.layers(scene.render));
+    const auto ppm = kind.make({.device = device, .scene = scene, .deviceScene = deviceScene, .film = film});
+    ppm->prepare();
     device.commands.finish();
     const render::FilmState black = film.state();
     std::vector<double> means;
@@ -76,7 +77,7 @@ std::vector<double> progressiveRatios(Scene scene, std::uint32_t renders, const 
         film.restore(device, black);
         for (std::uint32_t pass = 0; pass < scene.render.passes; ++pass) {
             film.beginPass(pass);
-            ppm.renderPass(pass);
+            ppm->renderPass(pass);
             film.endPass();
         }
         means.push_back(meanOf(pixelRatios(film.resolve(device).picture, expected)));
@@ -88,8 +89,8 @@ std::vector<double> progressiveRatios(Scene scene, std::uint32_t renders, const 
 
 std::vector<double> renderRatios(const Renderer& renderer, Scene scene, std::uint32_t renders,
                                  const ExpectedPixel& expected) {
-    if (renderer.backend == Backend::Vulkan && renderer.integrator == Integrator::Ppm) {
-        scene.render.integrator = Integrator::Ppm;
+    if (renderer.backend == Backend::Vulkan && renderer.integrator == "ppm") {
+        scene.render.integrator = "ppm";
         return progressiveRatios(scene, renders, expected);
     }
     std::vector<double> means;
@@ -102,12 +103,12 @@ std::vector<double> renderRatios(const Renderer& renderer, Scene scene, std::uin
 
 Verdict judge(FalseAlarms& alarms, const Renderer& renderer, const Scene& scene, const ExpectedPixel& expected,
               Independent independent, const Sharpness& sharpness) {
-    const bool sharesPhotons = renderer.integrator == Integrator::Ppm || renderer.integrator == Integrator::PhotonMap;
+    const bool sharesPhotons = integratorNamed(renderer.integrator).reads("photons");
     if (independent == Independent::Pixels || !sharesPhotons) {
         return alarms.mean(pixelRatios(renderBy(renderer, scene), expected), 1, sharpness);
     }
     constexpr std::uint32_t kRenders = 16;
-    if (renderer.backend == Backend::Vulkan && renderer.integrator == Integrator::PhotonMap) {
+    if (renderer.backend == Backend::Vulkan && renderer.integrator == "photonmap") {
         const Renderer twin{"", renderer.integrator, Backend::Reference};
         Scene another = scene;
         another.render.seed = kRenders + 1;

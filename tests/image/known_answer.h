@@ -8,6 +8,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hyalite::testing {
@@ -16,15 +17,15 @@ enum class Backend { Vulkan, Reference };
 
 struct Renderer {
     std::string name;
-    Integrator integrator;
+    std::string_view integrator; // its name
     Backend backend;
 };
 
-// All of them; one line each.
+// Every integrator by both.
 [[nodiscard]] const std::vector<Renderer>& everyRenderer();
 
 // Those of the integrators.
-[[nodiscard]] std::vector<Renderer> renderersOf(std::span<const Integrator> integrators);
+[[nodiscard]] std::vector<Renderer> renderersOf(std::span<const std::string_view> integrators);
 
 // The scene's picture by that integrator on that side.
 [[nodiscard]] Image renderBy(const Renderer& renderer, Scene scene);

@@ -13,12 +13,12 @@ namespace {
 using glm::dvec3;
 using std::numbers::pi;
 
-constexpr Integrator kWithIndirectLight[] = {Integrator::Ppm, Integrator::PhotonMap, Integrator::Path};
-constexpr Integrator kWithCaustics[] = {Integrator::Ppm, Integrator::PhotonMap};
+constexpr std::string_view kWithIndirectLight[] = {"ppm", "photonmap", "path"};
+constexpr std::string_view kWithCaustics[] = {"ppm", "photonmap"};
 
 // The camera at `from` looks at an area about `target`; a point light of pi W/sr.
 Scene cameraInside(const dvec3& from, const dvec3& target, const dvec3& light) {
-    Scene scene = reference::test::onePixel(from, target, Integrator::Ppm);
+    Scene scene = reference::test::onePixel(from, target, "ppm");
     scene.camera.resolution = {8, 8};
     scene.camera.fov = 60;
     scene.lights = {{light, dvec3(pi)}};
@@ -34,8 +34,8 @@ Scene cameraInside(const dvec3& from, const dvec3& target, const dvec3& light) {
 // What the integrators need to be equally sharp: paths vary by their roulette, and photonmap has one map for all
 // passes.
 void adjust(RenderSettings& render, const Renderer& renderer) {
-    const bool isPhotonMap = renderer.integrator == Integrator::PhotonMap;
-    render.passes = renderer.integrator == Integrator::Path ? 256 : isPhotonMap ? 2 : 8;
+    const bool isPhotonMap = renderer.integrator == "photonmap";
+    render.passes = renderer.integrator == "path" ? 256 : isPhotonMap ? 2 : 8;
     render.photons = isPhotonMap ? 16000 : 4000;
 }
 

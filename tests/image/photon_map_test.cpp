@@ -1,7 +1,7 @@
 // Photon maps where the light is known on paper, on the device and in the reference.
 #include "kernel/kernel_support.h"
 #include "reference/photons/photons.h"
-#include "reference/render.h"
+#include "render/integrators/registry.h"
 #include "render/photons/photon_paths.h"
 #include "render/photons/photon_slots.h"
 #include "render/renderer.h"
@@ -38,7 +38,7 @@ const Image& layer(const LayeredImage& image, const std::string& name) {
 
 // A diffuse sphere of radius 1 and albedo 1/2, a point light of pi W/sr at its centre, the camera beside the light.
 Scene litSphere() {
-    Scene scene = reference::test::onePixel({0.2, 0.1, 0}, {1, 0.3, 0.2}, Integrator::PhotonMap);
+    Scene scene = reference::test::onePixel({0.2, 0.1, 0}, {1, 0.3, 0.2}, "photonmap");
     scene.camera.fov = 60;
     scene.camera.resolution = {16, 16};
     scene.lights.push_back({{0, 0, 0}, dvec3(pi)});
@@ -95,7 +95,7 @@ TEST_CASE("the direct photons of a floor under a point light give its irradiance
         expected += 0.7 / pi * 3 * 2 / std::pow(x * x + z * z + 4, 1.5) / (grid * grid);
     }
     // Seen from straight above by a camera whose picture is that square: tan(fov / 2) = 0.5 / 1
-    Scene scene = reference::test::onePixel({0, 1, 0}, {0, 0, 0}, Integrator::PhotonMap);
+    Scene scene = reference::test::onePixel({0, 1, 0}, {0, 0, 0}, "photonmap");
     scene.camera.fov = 2 * std::atan(0.5) * 180 / pi;
     scene.camera.resolution = {32, 32};
     scene.lights.push_back({{0, 2, 0}, dvec3(3)});
@@ -108,7 +108,7 @@ TEST_CASE("the direct photons of a floor under a point light give its irradiance
         scene.render.photonMap.filter = filter;
         // 9 200 photons in the square: 1 % if they were independent
         CHECK(std::abs(meanOf(onDevice(scene).picture) / expected - 1) < 0.03);
-        CHECK(std::abs(meanOf(reference::render(scene).picture) / expected - 1) < 0.03);
+        CHECK(std::abs(meanOf(render::renderByReference(scene).picture) / expected - 1) < 0.03);
     }
 }
 
@@ -116,7 +116,7 @@ namespace {
 
 // A beam of irradiance 1 along -y, as wide as `width`, onto a ball of glass (n = 1.5, radius 1) above a black floor.
 Scene beamThroughBall(double width, double floor) {
-    Scene scene = reference::test::onePixel({0, 5, 5}, {0, 0, 0}, Integrator::PhotonMap);
+    Scene scene = reference::test::onePixel({0, 5, 5}, {0, 0, 0}, "photonmap");
     scene.directionals.push_back({.direction = {0, -1, 0},
                                   .irradiance = dvec3(1),
                                   .beam = DirectionalLight::Beam{.center = {0, 3, 0}, .radius = width}});

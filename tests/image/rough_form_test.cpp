@@ -16,7 +16,7 @@ vec3 onDevice(const Scene& scene) {
 
 // The pixel looks down at a disk of the material about the origin, at 45 degrees; all else is a glowing room.
 Scene glowingRoom(const MaterialModel& model) {
-    Scene scene = reference::test::onePixel({1, 1, 0}, {0, 0, 0}, Integrator::Whitted);
+    Scene scene = reference::test::onePixel({1, 1, 0}, {0, 0, 0}, "whitted");
     scene.camera.resolution = {16, 16};
     scene.camera.up = {0, 1, 0};
     const std::size_t material = reference::test::addMaterial(scene, model);
@@ -59,7 +59,7 @@ dvec3 albedoAt45(const MaterialModel& model) {
 
 TEST_CASE("in a room of radiance 1 a rough surface has the radiance of its albedo, whatever finds the light") {
     // Sampled lights and rays that find them share the light by their weights; a weight too many or too few shows
-    const Integrator integrators[] = {Integrator::Whitted, Integrator::Ppm, Integrator::Path};
+    const std::string_view integrators[] = {"whitted", "ppm", "path"};
     const std::vector<Renderer> renderers = renderersOf(integrators);
     FalseAlarms alarms(3 * renderers.size());
     for (const MaterialModel& model :
@@ -80,7 +80,7 @@ TEST_CASE("in a room of radiance 1 a rough surface has the radiance of its albed
 TEST_CASE("a coated floor straight below a point light has the radiance of its base and its coat") {
     // Light and camera above the point: wo = wi = n. Base: c (1 - F0) 21/20 / pi, coat: F0 D / 4 with D = 1 / (pi
     // alpha^2); no masking. L = I / d^2 times their sum, I = 3 W/sr, d = 2 m.
-    Scene scene = reference::test::onePixel({0, 1, 0}, {0, 0, 0}, Integrator::Whitted);
+    Scene scene = reference::test::onePixel({0, 1, 0}, {0, 0, 0}, "whitted");
     scene.camera.up = {0, 0, 1};
     scene.lights = {{{0, 2, 0}, dvec3(3)}};
     const dvec3 color(0.2, 0.5, 0.9);
@@ -94,7 +94,7 @@ TEST_CASE("a coated floor straight below a point light has the radiance of its b
 
 TEST_CASE("polished gold shows a lamp in its colour at normal incidence") {
     // ((n - 1)^2 + k^2) / ((n + 1)^2 + k^2) per channel
-    Scene scene = reference::test::onePixel({0, 0, 2}, {0, 0, 0}, Integrator::Whitted);
+    Scene scene = reference::test::onePixel({0, 0, 2}, {0, 0, 0}, "whitted");
     const Conductor gold{{0.143, 0.375, 1.442}, {3.983, 2.386, 1.603}};
     const std::size_t metal = reference::test::addMaterial(scene, gold);
     reference::test::addObject(scene, Quad{{-1, -1, 0}, {2, 0, 0}, {0, 2, 0}}, metal);

@@ -2,6 +2,7 @@
 #include "kernel/kernel_support.h"
 #include "render/film/checkpoint.h"
 #include "render/film/film.h"
+#include "unit/image/temporary_folder.h"
 
 #include <algorithm>
 #include <bit>
@@ -231,6 +232,30 @@ TEST_CASE("a set of passes knows its ranges, its sequences and what it has in co
     set.add({4, 5});
     set.add({10, 12});
     CHECK(set.text() == "0:13");
+}
+
+TEST_CASE("a checkpoint keeps every counter, and parts that are put together add up all of them") {
+    const test::TemporaryFolder folder;
+    std::vector<render::Checkpoint> parts;
+    for (std::uint32_t pass = 0; pass < 2; ++pass) {
+        render::Checkpoint part;
+        part.film = {.resolution = {1, 1}, .layers = {{"light"}}, .passes = render::PassSet({{pass, pass + 1}})};
+        part.film.faults.resize(shared::kFilmFaults);
+        part.film.sums.fill(std::vector<shared::FilmColor>(1));
+        for (const render::CounterRow& row : render::kCounters) {
+            // Different ones, more than 32 bits each
+            part.counts[row.counter] = (std::uint64_t{1} << 33U) * (pass + 1) + static_cast<std::uint64_t>(row.counter);
+        }
+        const auto file = folder / std::to_string(pass);
+        render::writeCheckpoint(file, part);
+        parts.push_back(render::readCheckpoint(file));
+    }
+    render::addCheckpoint(parts[0], parts[1], "1");
+    for (const render::CounterRow& row : render::kCounters) {
+        INFO(row.key);
+        CHECK(parts[0].counts[row.counter] ==
+              3 * (std::uint64_t{1} << 33U) + 2 * static_cast<std::uint64_t>(row.counter));
+    }
 }
 
 } // namespace hyalite::testing

@@ -50,7 +50,7 @@ const Material* materialOf(const BothSides& both, std::uint32_t medium) {
 
 TEST_CASE("camera paths lose in glass what the reference says, enter it at its front and leave it at its back") {
     Scene scene = absorbingBox();
-    scene.render.integrator = Integrator::Whitted; // both ways are followed: no choice that rounding could turn
+    scene.render.integrator = "whitted"; // both ways are followed: no choice that rounding could turn
     scene.render.minWeight = 0;
     BothSides both(scene);
     const std::uint32_t count = 10000;

@@ -40,7 +40,7 @@ struct RoughBounce {
 
     static Scene sceneFor(Ways ways) {
         Scene scene = roughBox();
-        scene.render.integrator = ways == Ways::All ? Integrator::Whitted : Integrator::Ppm;
+        scene.render.integrator = ways == Ways::All ? "whitted" : "ppm";
         scene.render.minWeight = 0;
         return scene;
     }

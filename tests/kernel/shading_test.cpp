@@ -34,7 +34,7 @@ dvec3 lightOn(const BothSides& both, const std::optional<reference::VisiblePoint
 
 // Rays from all over the room; those that would not hit the same object are left out, they are trace_test's matter.
 void compareShading(Scene scene, Ways ways, std::uint32_t depth) {
-    scene.render.integrator = ways == Ways::All ? Integrator::Whitted : Integrator::Ppm;
+    scene.render.integrator = ways == Ways::All ? "whitted" : "ppm";
     BothSides both(scene);
     reference::test::Random random;
     const std::size_t count = 20000;

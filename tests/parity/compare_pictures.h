@@ -3,7 +3,7 @@
 
 #include "image/image_io.h"
 #include "image/metrics.h"
-#include "reference/render.h"
+#include "render/integrators/registry.h"
 #include "render/renderer.h"
 #include "support/gpu_fixture.h"
 
@@ -19,7 +19,7 @@ inline Image onDevice(const Scene& scene) {
 // At least `share` of the pixels agree within 1 %. Where fewer do, both pictures are left in the working folder.
 inline void comparePictures(const std::string& name, const Scene& scene, double share) {
     const Image device = onDevice(scene);
-    const Image expected = reference::render(scene).picture;
+    const Image expected = render::renderByReference(scene).picture;
     const Crop all = wholeOf(expected);
     REQUIRE(countNotFinite(device) == 0);
     const double within = shareWithin(device, expected, 0.01, all);

@@ -29,7 +29,7 @@ Drawn draw(render::DebugQuantity quantity) {
     const parity::Sides sides(scene, deviceScene);
     parity::Capture capture(gpu.context(), device.tables, sides, {});
     render::Film film(device, scene.camera.resolution, render::DebugView::layers());
-    render::DebugView view(device, scene, deviceScene, film, quantity);
+    render::DebugView view({.device = device, .scene = scene, .deviceScene = deviceScene, .film = film}, quantity);
     device.commands.observe(&capture);
     for (std::uint32_t pass = 0; pass < 2; ++pass) {
         film.beginPass(pass);

@@ -12,7 +12,7 @@ namespace {
 // The scene with photonmap's default settings, but for its size.
 Scene smallScene(const std::string& file) {
     Scene scene = loadScene(std::filesystem::path(HYALITE_SOURCE_DIR) / "scenes" / file);
-    scene.render.integrator = Integrator::PhotonMap;
+    scene.render.integrator = "photonmap";
     scene.camera.resolution = {48, 48};
     scene.render.passes = 4;
     scene.render.photons = 30000;

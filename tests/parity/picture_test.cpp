@@ -9,7 +9,7 @@ namespace hyalite::testing {
 
 TEST_CASE("whitted gives the reference's picture of mirror, glass and a square light") {
     Scene scene = reference::test::cornellBox();
-    scene.render.integrator = Integrator::Whitted;
+    scene.render.integrator = "whitted";
     scene.camera.resolution = {96, 96};
     // All is decided by the same numbers: only a ray past an edge may differ
     comparePictures("whitted-cornell", scene, 0.999);
@@ -17,7 +17,7 @@ TEST_CASE("whitted gives the reference's picture of mirror, glass and a square l
 
 TEST_CASE("whitted follows the tree of rays through many glass spheres and meshes as the reference does") {
     Scene scene = crowdedBox();
-    scene.render.integrator = Integrator::Whitted;
+    scene.render.integrator = "whitted";
     scene.render.minWeight = 0.01;
     scene.lights = {{{0, 0.2, 0.8}, {0.5, 0.4, 0.3}}, {{0.6, 0.8, 0.2}, {0.2, 0.3, 0.4}}};
     scene.camera.resolution = {64, 64};
@@ -43,7 +43,7 @@ TEST_CASE("whitted and ppm give the reference's picture of textures and absorbin
     scene.render.radius = 0.08;
     // Of 16 points of the lens one may fall on another tile, whose edge rounding moves
     comparePictures("ppm-globe", scene, 0.98);
-    scene.render.integrator = Integrator::Whitted;
+    scene.render.integrator = "whitted";
     comparePictures("whitted-globe", scene, 0.98);
 }
 
@@ -52,7 +52,7 @@ TEST_CASE("whitted and ppm give the reference's picture of every shape and of CS
     // Photons that graze one of many curved mirrors and panes of glass land elsewhere; with whichever seed, in some 3 %
     // of the pixels
     comparePictures("ppm-shapes", scene, 0.96);
-    scene.render.integrator = Integrator::Whitted;
+    scene.render.integrator = "whitted";
     scene.render.minWeight = 0.01;
     comparePictures("whitted-shapes", scene, 0.99);
 }
@@ -61,7 +61,7 @@ TEST_CASE("whitted and ppm give the reference's picture of every material, smoot
     Scene scene = loadScene(std::filesystem::path(HYALITE_SOURCE_DIR) / "scenes/tests/all-materials.yaml");
     // Photons that come by rough glass and metal land a little aside, on the other side of a disc's rim
     comparePictures("ppm-materials", scene, 0.97);
-    scene.render.integrator = Integrator::Whitted;
+    scene.render.integrator = "whitted";
     scene.render.minWeight = 0.01;
     comparePictures("whitted-materials", scene, 0.99);
 }
@@ -70,7 +70,7 @@ TEST_CASE("whitted and ppm give the reference's picture of every light") {
     Scene scene = loadScene(std::filesystem::path(HYALITE_SOURCE_DIR) / "scenes/tests/all-lights.yaml");
     // As above; and two in a thousand rays see the next texel of the sky or the next triangle of an emitting mesh
     comparePictures("ppm-lights", scene, 0.97);
-    scene.render.integrator = Integrator::Whitted;
+    scene.render.integrator = "whitted";
     scene.render.minWeight = 0.01;
     comparePictures("whitted-lights", scene, 0.99);
 }

@@ -111,7 +111,7 @@ double emissionWeight(const World& world, const Light& light, const CameraPath& 
     if (path.pdfW == 0) {
         return 1;
     }
-    const double pmf = world.render.integrator == Integrator::Whitted ? 1 : light.pmf;
+    const double pmf = world.cameraPaths.followsAllWays ? 1 : light.pmf;
     return powerHeuristic(path.pdfW, pmf * lightPdf(light, ray.origin, ray.direction, distance, normal));
 }
 
@@ -181,7 +181,7 @@ Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const C
         return shading;
     }
     const MaterialModel model = texturedModel(world, surface);
-    const bool whitted = world.render.integrator == Integrator::Whitted;
+    const bool whitted = world.cameraPaths.followsAllWays;
     const std::optional<DiffusePart> diffuse = diffusePart(model);
     const std::optional<Lobe> lobe = lobeOf(model, surface.front);
     const double cosOut = incidentCosine(ray.direction, surface.normal);

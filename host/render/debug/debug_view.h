@@ -2,7 +2,6 @@
 // alone, as further ones would blur it.
 #pragma once
 
-#include "render/film/film.h"
 #include "render/integrators/integrator.h"
 #include "render/wavefront/camera_paths.h"
 
@@ -18,9 +17,7 @@ class DebugView final : public PassIntegrator {
 public:
     [[nodiscard]] static std::vector<LayerKind> layers() { return {{"view"}}; }
 
-    // References are kept.
-    DebugView(Device& device, const Scene& scene, const DeviceScene& deviceScene, const Film& film,
-              DebugQuantity quantity);
+    DebugView(const IntegratorInput& input, DebugQuantity quantity);
 
     void renderPass(std::uint32_t pass) override;
 
@@ -30,7 +27,7 @@ private:
 
     Device& device_;
     const DeviceScene& deviceScene_;
-    const Film& film_;
+    Film& film_;
     DebugQuantity quantity_;
     CameraPaths cameraPaths_;
     gpu::Kernel traceClosest_;

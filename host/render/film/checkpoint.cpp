@@ -1,6 +1,6 @@
-// The file: a header of fixed size, the identity and the names of the layers as lines of text, the ranges of passes,
-// the faults, the sums word by word (little-endian; a plane of high words that are all zero is left out), and a
-// checksum.
+// The file: a header of fixed size, the identity, the names of the layers and the counts as lines of text, the ranges
+// of passes, the faults, the sums word by word (little-endian; a plane of high words that are all zero is left out),
+// and a checksum.
 #include "render/film/checkpoint.h"
 
 #include "base/error.h"
@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <charconv>
 #include <cstring>
 #include <sstream>
 #include <type_traits>
@@ -20,7 +21,7 @@ static_assert(std::endian::native == std::endian::little);
 
 namespace {
 
-constexpr std::array<char, 8> kMagic{'h', 'y', 'a', 'c', 'h', 'k', 'p', '1'};
+constexpr std::array<char, 8> kMagic{'h', 'y', 'a', 'c', 'h', 'k', 'p', '2'};
 
 // More than a picture of the largest size in five layers takes.
 constexpr std::size_t kLargestFile = std::size_t{1} << 38U;
@@ -35,7 +36,6 @@ struct Header {
     std::uint32_t textBytes = 0;
     std::uint32_t unused = 0;
     double seconds = 0;
-    Counts counts;
 };
 static_assert(std::is_trivially_copyable_v<Header>);
 static_assert(sizeof(FilmFault) == 16 && sizeof(PassRange) == 8);
@@ -43,7 +43,7 @@ static_assert(sizeof(FilmFault) == 16 && sizeof(PassRange) == 8);
 constexpr std::uint32_t kWordsPerColor = sizeof(shared::FilmColor) / sizeof(std::uint32_t);
 constexpr std::uint32_t kWordsPerSum = 3;
 
-// "scene NAME", "layer NAME 0|1", "set NAME=VALUE", one a line.
+// "scene NAME", "layer NAME 0|1", "set NAME=VALUE", "count KEY=NUMBER", one a line.
 std::string textOf(const Checkpoint& checkpoint) {
     std::string text = "scene " + checkpoint.identity.scene + '\n';
     for (const LayerKind& layer : checkpoint.film.layers) {
@@ -51,6 +51,9 @@ std::string textOf(const Checkpoint& checkpoint) {
     }
     for (const auto& [name, value] : checkpoint.identity.settings) {
         text += "set " + name + '=' + value + '\n';
+    }
+    for (const CounterRow& row : kCounters) {
+        text += "count " + std::string(row.key) + '=' + std::to_string(checkpoint.counts[row.counter]) + '\n';
     }
     return text;
 }
@@ -105,6 +108,18 @@ private:
     const std::string& name_;
 };
 
+void readCount(const std::string& key, const std::string& number, const Cursor& cursor, Counts& counts) {
+    const auto row = std::ranges::find(kCounters, key, &CounterRow::key);
+    if (row == kCounters.end()) {
+        cursor.fail("this checkpoint was written by another version of the program");
+    }
+    const char* const end = number.data() + number.size();
+    const auto read = std::from_chars(number.data(), end, counts[row->counter]);
+    if (read.ec != std::errc() || read.ptr != end) {
+        cursor.fail("the checkpoint is damaged");
+    }
+}
+
 void readText(const std::string& text, const Cursor& cursor, Checkpoint& checkpoint) {
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
@@ -118,6 +133,8 @@ void readText(const std::string& text, const Cursor& cursor, Checkpoint& checkpo
             checkpoint.film.layers.push_back({rest.substr(0, rest.size() - 2), rest.ends_with(" 1")});
         } else if (kind == "set" && equals != std::string::npos) {
             checkpoint.identity.settings.emplace_back(rest.substr(0, equals), rest.substr(equals + 1));
+        } else if (kind == "count" && equals != std::string::npos) {
+            readCount(rest.substr(0, equals), rest.substr(equals + 1), cursor, checkpoint.counts);
         } else {
             cursor.fail("the checkpoint is damaged");
         }
@@ -168,7 +185,6 @@ void writeCheckpoint(const std::filesystem::path& path, const Checkpoint& checkp
     header.ranges = static_cast<std::uint32_t>(ranges.size());
     header.textBytes = static_cast<std::uint32_t>(text.size());
     header.seconds = checkpoint.seconds;
-    header.counts = checkpoint.counts;
     writeFileAtomically(path, [&](const WriteBytes& write) {
         std::uint64_t checksum = kFnvStart;
         const auto append = [&](std::span<const std::byte> bytes) {
@@ -219,7 +235,6 @@ Checkpoint parseCheckpoint(std::span<const std::byte> content, const std::string
         cursor.fail("the checkpoint is damaged: its checksum is another");
     }
     Checkpoint checkpoint;
-    checkpoint.counts = header.counts;
     checkpoint.seconds = header.seconds;
     FilmState& film = checkpoint.film;
     film.resolution = header.resolution;

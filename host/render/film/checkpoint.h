@@ -2,9 +2,9 @@
 // up.
 #pragma once
 
+#include "render/film/counts.h"
 #include "render/film/film_state.h"
 #include "render/film/render_identity.h"
-#include "render/integrators/integrator.h"
 
 #include <filesystem>
 #include <span>

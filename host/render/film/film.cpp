@@ -42,15 +42,17 @@ shared::FilmArray Film::sums(std::size_t sequence, std::size_t layer) const {
     return {sums_.at(sequence).buffer().address() + layer * pixelCount() * sizeof(shared::FilmColor)};
 }
 
-void Film::add(Device& device, std::size_t layer, const gpu::Array<glm::vec3>& colors) const {
+void Film::add(Device& device, std::size_t layer, const gpu::Array<glm::vec3>& colors) {
     const shared::UintArray faults{passFaults_.buffer().address() + layer * shared::kFilmFaults * sizeof(glm::uvec2)};
-    device.commands.run(
-        accumulateFilm_,
-        shared::AccumulateFilmArguments{colors, sums(pass_ % shared::kCameraSequences, layer), faults, pixelCount()},
-        pixelCount());
+    device.commands.run(accumulateFilm_,
+                        shared::AccumulateFilmArguments{.colors = colors,
+                                                        .film = sums(pass_ % shared::kCameraSequences, layer),
+                                                        .faults = faults,
+                                                        .count = pixelCount()},
+                        pixelCount());
 }
 
-LayeredImage Film::resolve(Device& device) const {
+LayeredImage Film::resolve(Device& device) {
     const auto read = [&] {
         Image image(static_cast<int>(resolution_.x), static_cast<int>(resolution_.y));
         image.pixels = image_.read();
@@ -60,7 +62,11 @@ LayeredImage Film::resolve(Device& device) const {
     std::vector<Image> images;
     for (std::size_t layer = 0; layer < layers_.size(); ++layer) {
         device.commands.run(resolveFilm_,
-                            shared::ResolveFilmArguments{sums(0, layer), sums(1, layer), image_, pixelCount(), scale},
+                            shared::ResolveFilmArguments{.first = sums(0, layer),
+                                                         .second = sums(1, layer),
+                                                         .image = image_,
+                                                         .count = pixelCount(),
+                                                         .scale = scale},
                             pixelCount());
         device.commands.finish();
         images.push_back(read());
@@ -72,7 +78,7 @@ LayeredImage Film::resolve(Device& device) const {
     return result;
 }
 
-std::optional<double> Film::estimateError(Device& device) const {
+std::optional<double> Film::estimateError(Device& device) {
     const std::uint32_t first = passes_.count(0);
     const std::uint32_t second = passes_.count(1);
     if (first == 0 || second == 0) {
@@ -83,9 +89,15 @@ std::optional<double> Film::estimateError(Device& device) const {
         light |= layers_[layer].isLight ? 1U << layer : 0U;
     }
     device.commands.run(estimateError_,
-                        shared::EstimateErrorArguments{sums_[0], sums_[1], image_, errorSums_, pixelCount(),
-                                                       static_cast<float>(first), static_cast<float>(second),
-                                                       static_cast<std::uint32_t>(layers_.size()), light},
+                        shared::EstimateErrorArguments{.first = sums_[0],
+                                                       .second = sums_[1],
+                                                       .errors = image_,
+                                                       .sums = errorSums_,
+                                                       .count = pixelCount(),
+                                                       .firstPasses = static_cast<float>(first),
+                                                       .secondPasses = static_cast<float>(second),
+                                                       .layers = static_cast<std::uint32_t>(layers_.size()),
+                                                       .light = light},
                         static_cast<std::uint32_t>(errorSums_.count()));
     device.commands.finish();
     double sum = 0;

@@ -23,7 +23,7 @@ public:
     void endPass(); // when the device has finished
 
     // Adds one colour per pixel to a layer; values that are no radiance are counted and left out.
-    void add(Device& device, std::size_t layer, const gpu::Array<glm::vec3>& colors) const;
+    void add(Device& device, std::size_t layer, const gpu::Array<glm::vec3>& colors);
 
     [[nodiscard]] glm::uvec2 resolution() const { return resolution_; }
     [[nodiscard]] const PassSet& passes() const { return passes_; }
@@ -31,11 +31,11 @@ public:
     [[nodiscard]] const std::vector<FilmFault>& faults() const { return faults_; }
 
     // The means over the passes, of which there is one at least, and their standard error.
-    [[nodiscard]] LayeredImage resolve(Device& device) const;
+    [[nodiscard]] LayeredImage resolve(Device& device);
 
     // Root of the mean over pixels and channels of Var / (mean^2 + 0.01), Var the estimated variance of the mean over
     // the passes so far; none before either camera sequence has one. The same bits every time.
-    [[nodiscard]] std::optional<double> estimateError(Device& device) const;
+    [[nodiscard]] std::optional<double> estimateError(Device& device);
 
     // Everything it holds, when the device has finished; restore() wants the same resolution and layers.
     [[nodiscard]] FilmState state() const;

@@ -2,20 +2,6 @@
 
 namespace hyalite::render {
 
-std::string nameOf(Integrator integrator) {
-    switch (integrator) {
-    case Integrator::Whitted:
-        return "whitted";
-    case Integrator::Ppm:
-        return "ppm";
-    case Integrator::PhotonMap:
-        return "photonmap";
-    case Integrator::Path:
-        return "path";
-    }
-    return {};
-}
-
 std::string nameOf(RandomNumbers sampler) {
     return sampler == RandomNumbers::Sobol ? "sobol" : "independent";
 }

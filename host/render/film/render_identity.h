@@ -20,7 +20,6 @@ struct RenderIdentity {
 [[nodiscard]] std::string difference(const RenderIdentity& there, const RenderIdentity& here);
 
 // As on the command line.
-[[nodiscard]] std::string nameOf(Integrator integrator);
 [[nodiscard]] std::string nameOf(RandomNumbers sampler);
 
 } // namespace hyalite::render

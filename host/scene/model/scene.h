@@ -28,7 +28,6 @@ struct Camera {
     glm::uvec2 resolution{512, 512};
 };
 
-enum class Integrator { Whitted, Ppm, PhotonMap, Path };
 enum class RandomNumbers { Sobol, Independent };
 
 // Integrator photonmap: two passes, photons from the lights and rays from the eye [Jensen01].
@@ -65,7 +64,7 @@ struct PhotonMapSettings {
 };
 
 struct RenderSettings {
-    Integrator integrator = Integrator::Ppm;
+    std::string integrator = "ppm"; // a name in scene/model/integrators.h
     std::uint32_t maxDepth =
         12; // ppm, path: segments of a whole path, 1..255; whitted: reflections and refractions in a row, 0..254
     std::uint32_t passes = 64;      // >= 1; with a target error the most there may be

@@ -2,10 +2,12 @@
 #include "scene/yaml/settings.h"
 
 #include "base/spelling.h"
+#include "scene/model/integrators.h"
 #include "scene/model/scene_limits.h"
 #include "scene/yaml/photon_map_settings.h"
 #include "shaders/shared/limits.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -25,21 +27,22 @@ constexpr Range kSeed{0, std::numeric_limits<std::uint32_t>::max()};
 constexpr Range kSearchRadius{0, kLargestLength, true, true, "m"};
 constexpr Range kAlpha{0, 1, false, false};
 constexpr Range kShare{0, 1};
-// A whitted ray after n reflections or refractions is the path's segment n + 1; segments are counted in 8 bits.
-constexpr Range kWhittedDepth{0, shared::kMaxDepth - 1};
-constexpr Range kPpmDepth{1, shared::kMaxDepth};
-
-constexpr std::array<Choice<Integrator>, 4> kIntegrators{{
-    {"whitted", Integrator::Whitted},
-    {"ppm", Integrator::Ppm},
-    {"photonmap", Integrator::PhotonMap},
-    {"path", Integrator::Path},
-}};
+// A ray after n reflections or refractions is the path's segment n + 1; segments are counted in 8 bits.
+constexpr Range kBounces{0, shared::kMaxDepth - 1};
+constexpr Range kSegments{1, shared::kMaxDepth};
 
 constexpr std::array<Choice<RandomNumbers>, 2> kSamplers{{
     {"sobol", RandomNumbers::Sobol},
     {"independent", RandomNumbers::Independent},
 }};
+
+std::string readIntegrator(const Value& name) {
+    const std::string word = name.text();
+    if (std::ranges::find(kIntegratorNames, word) == kIntegratorNames.end()) {
+        failUnknownWord(name, "integrator", std::vector<std::string>(kIntegratorNames.begin(), kIntegratorNames.end()));
+    }
+    return word;
+}
 
 // The place of a key, or of the map around it when the key is not written there.
 Value placeOf(Reader& reader, std::string_view key) {
@@ -81,7 +84,7 @@ void readCamera(const Value& value, Camera& camera) {
 void readRenderSettings(const Value& value, RenderSettings& render) {
     Reader reader(value);
     if (const auto name = reader.find("integrator")) {
-        render.integrator = choose<Integrator>(*name, "integrator", kIntegrators);
+        render.integrator = readIntegrator(*name);
     }
     reader.optional("passes", render.passes, kCount);
     reader.optional("target_error", render.targetError, kTargetError);
@@ -96,7 +99,7 @@ void readRenderSettings(const Value& value, RenderSettings& render) {
     readPhotonMapSettings(reader, render.photonMap);
 
     // Checked even when the key is absent: the integrator may be what changed.
-    const Range& depth = render.integrator == Integrator::Whitted ? kWhittedDepth : kPpmDepth;
+    const Range& depth = integratorNamed(render.integrator).cameraPaths.followsAllWays ? kBounces : kSegments;
     reader.optional("max_depth", render.maxDepth, depth);
     reader.finish();
     if (!depth.contains(render.maxDepth)) {

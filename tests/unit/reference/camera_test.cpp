@@ -14,7 +14,7 @@ namespace {
 
 // A camera at the origin that looks along -z; its focus is 2 m away, its lens 0.2 m wide.
 Scene lensScene() {
-    Scene scene = onePixel({0, 0, 0}, {0, 0, -1}, Integrator::Ppm);
+    Scene scene = onePixel({0, 0, 0}, {0, 0, -1}, "ppm");
     scene.camera.fov = 40;
     scene.camera.aperture = 0.2;
     scene.camera.focusDistance = 2;

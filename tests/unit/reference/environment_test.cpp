@@ -156,7 +156,7 @@ TEST_CASE("a floor under a constant environment has the irradiance pi L") {
 TEST_CASE("what does not absorb is invisible in an environment that is the same everywhere") {
     // A mirror ball and a glass one: every path ends in the environment, with its whole radiance
     for (const MaterialModel& model : {MaterialModel(Mirror{dvec3(1)}), MaterialModel(Dielectric{1.5})}) {
-        Scene scene = onePixel({0, 0.3, 3}, {0, 0.2, 0}, Integrator::Whitted);
+        Scene scene = onePixel({0, 0.3, 3}, {0, 0.2, 0}, "whitted");
         scene.render.maxDepth = 30;
         scene.render.minWeight = 0;
         scene.environment = Environment{.image = Image(1, 1), .scale = 3};

@@ -15,7 +15,7 @@ namespace {
 
 // A pane of thickness d across the z axis between the camera and a light of radiance 1.
 Scene pane(double d, const Dielectric& glass) {
-    Scene scene = onePixel({0, 0, 3}, {0, 0, 0}, Integrator::Whitted);
+    Scene scene = onePixel({0, 0, 3}, {0, 0, 0}, "whitted");
     scene.render.maxDepth = 60;
     scene.render.minWeight = 0;
     const std::size_t material = addMaterial(scene, glass);

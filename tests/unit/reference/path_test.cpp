@@ -33,7 +33,7 @@ Estimate estimate(const World& world, std::uint32_t samples) {
 
 // A diffuse sphere of radius 1 with a point light of intensity 1 in its middle.
 Scene litSphere(double albedo, std::uint32_t maxDepth) {
-    Scene scene = onePixel({0.2, 0.1, 0}, {1, 0.3, 0.2}, Integrator::Path);
+    Scene scene = onePixel({0.2, 0.1, 0}, {1, 0.3, 0.2}, "path");
     scene.render.maxDepth = maxDepth;
     scene.lights = {{.position = {0, 0, 0}, .intensity = dvec3(1)}};
     addObject(scene, Sphere{{0, 0, 0}, 1}, addMaterial(scene, Diffuse{dvec3(albedo)}));
@@ -42,7 +42,7 @@ Scene litSphere(double albedo, std::uint32_t maxDepth) {
 
 // A closed cube whose walls are diffuse and emit radiance 1 inwards.
 Scene furnace(double albedo, std::uint32_t maxDepth) {
-    Scene scene = onePixel({0, 0, 0}, {0.3, 0.2, 1}, Integrator::Path);
+    Scene scene = onePixel({0, 0, 0}, {0.3, 0.2, 1}, "path");
     scene.render.maxDepth = maxDepth;
     addFurnace(scene, albedo);
     return scene;
@@ -85,7 +85,7 @@ TEST_CASE("in a closed furnace radiance is 1 / (1 - albedo), cut short the first
 
 TEST_CASE("light seen through a pane or in a mirror is counted once") {
     // Mirror of reflectance 0.5 at 45 degrees between the camera and a light of radiance 1
-    Scene scene = onePixel({0, 0, 3}, {0, 0, 0}, Integrator::Path);
+    Scene scene = onePixel({0, 0, 3}, {0, 0, 0}, "path");
     addObject(scene, Quad{{-1, -1, -1}, {2, 0, 2}, {0, 2, 0}}, addMaterial(scene, Mirror{dvec3(0.5)}));
     addObject(scene, Quad{{-3, -1, -1}, {0, 2, 0}, {0, 0, 2}}, std::nullopt, dvec3(1));
     CHECK_THAT(pathRadiance(prepareWorld(scene), 0, 0).x, WithinRel(0.5, 1e-9));
@@ -95,7 +95,7 @@ TEST_CASE("a rough white ball in a room of light shows the albedo of its facets"
     // F = 1 everywhere, seen along the normal: facets of slope t reflect to 2 t, and the light that the far side masks
     // is lost. Their density is D(t) cos t, so that L is the integral of D cos t G1(2 t) over the t up to 45 degrees,
     // with D = a^2 / (pi (1 + (a^2 - 1) cos^2 t)^2) and G1 = 2 / (1 + sqrt(1 + a^2 tan^2)) [Walter07].
-    Scene scene = onePixel({0, 0, 3}, {0, 0, 0}, Integrator::Path);
+    Scene scene = onePixel({0, 0, 3}, {0, 0, 0}, "path");
     scene.environment = Environment{.image = Image(1, 1)};
     scene.environment->image.pixels[0] = glm::vec3(1);
     addObject(scene, Sphere{{0, 0, 0}, 1}, addMaterial(scene, MetallicRoughness{dvec3(1), 1, 0.3}));
@@ -119,7 +119,7 @@ TEST_CASE("a rough white ball in a room of light shows the albedo of its facets"
 TEST_CASE("a white coated ball in a room of light is almost white") {
     // The coat reflects F(cosine) on average over the facets, at least 0.04; what enters it comes out again but for the
     // facets' losses: with a smooth coat L = F + (1 - F) = 1 where the base is white, seen along the normal.
-    Scene scene = onePixel({0, 0, 3}, {0, 0, 0}, Integrator::Path);
+    Scene scene = onePixel({0, 0, 3}, {0, 0, 0}, "path");
     scene.environment = Environment{.image = Image(1, 1)};
     scene.environment->image.pixels[0] = glm::vec3(1);
     addObject(scene, Sphere{{0, 0, 0}, 1}, addMaterial(scene, MetallicRoughness{dvec3(1), 0, 0}));

@@ -30,7 +30,7 @@ TEST_CASE("the squared radius follows the product of (k + alpha) / (k + 1)") {
 
 TEST_CASE("a point light over an open floor gives albedo / pi I cos / d^2 by the shadow ray alone") {
     // d^2 = 5, cos = 2 / sqrt 5; light that leaves the floor never comes back, so no photon is stored.
-    Scene scene = onePixel({0, 3, 4}, {0, 0, 0}, Integrator::Ppm);
+    Scene scene = onePixel({0, 3, 4}, {0, 0, 0}, "ppm");
     const std::size_t floor = addMaterial(scene, Diffuse{dvec3(0.6)});
     addObject(scene, Quad{{-5, 0, -5}, {0, 0, 10}, {10, 0, 0}}, floor);
     scene.lights = {{.position = {1, 2, 0}, .intensity = dvec3(10)}};
@@ -60,7 +60,7 @@ TEST_CASE("a hollow sphere of albedo 1/2 glows with twice its direct light") {
     addObject(scene, Sphere{}, wall);
     scene.lights = {{.position = {0, 0, 0}, .intensity = dvec3(3)}};
     scene.camera = {.position = {0, 0, 0}, .lookAt = {1, 0, 0}, .up = {0, 1, 0}, .fov = 60, .resolution = {4, 4}};
-    scene.render.integrator = Integrator::Ppm;
+    scene.render.integrator = "ppm";
     scene.render.maxDepth = 12;
     scene.render.passes = 24;
     scene.render.photons = 20000;
@@ -81,7 +81,7 @@ TEST_CASE("a hollow sphere of albedo 1/2 glows with twice its direct light") {
     }
     const double direct = 0.5 / pi * 3;
     const double expected = direct * (1 + S * (1 - meanRadius2 / 8));
-    const Image image = render(scene).picture;
+    const Image image = render(scene, renderPpm).picture;
     double mean = 0;
     for (const glm::vec3& pixel : image.pixels) {
         mean += pixel.x / static_cast<double>(image.pixels.size());
@@ -94,7 +94,7 @@ TEST_CASE("a hollow sphere of albedo 1/2 glows with twice its direct light") {
 TEST_CASE("a pane shows the lamp behind it at (1 - F) / (1 + F) on average") {
     // Each path takes one way at each boundary; it sees the lamp's 7 or nothing, so the mean of n paths has a standard
     // error of 7 sqrt(T (1 - T) / n), T = 0.96 / 1.04.
-    Scene scene = onePixel({0, 0, 5}, {0, 0, 0}, Integrator::Ppm);
+    Scene scene = onePixel({0, 0, 5}, {0, 0, 0}, "ppm");
     scene.render.passes = 4000;
     scene.render.photonMap.causticPhotons = 1; // nothing is there for them to light
     const std::size_t glass = addMaterial(scene, Dielectric{1.5});
@@ -102,28 +102,29 @@ TEST_CASE("a pane shows the lamp behind it at (1 - F) / (1 + F) on average") {
     addObject(scene, Quad{{-1, -1, -1}, {0, 2, 0}, {2, 0, 0}}, glass);
     addObject(scene, Quad{{-1, -1, -2}, {2, 0, 0}, {0, 2, 0}}, std::nullopt, dvec3(7));
     const double T = 0.96 / 1.04;
-    CHECK_THAT(render(scene).picture.pixels[0].x, WithinAbs(7 * T, 5 * 7 * std::sqrt(T * (1 - T) / 4000)));
+    CHECK_THAT(render(scene, renderPpm).picture.pixels[0].x, WithinAbs(7 * T, 5 * 7 * std::sqrt(T * (1 - T) / 4000)));
 }
 
 TEST_CASE("a lamp inside glass is seen from outside at (1 - F) / n^2 of its radiance on average") {
     // A path enters with probability 1 - F and then sees 7 / n^2, or is reflected into the dark: standard error as
     // above.
-    Scene scene = onePixel({0, 0, 5}, {0, 0, 0}, Integrator::Ppm);
+    Scene scene = onePixel({0, 0, 5}, {0, 0, 0}, "ppm");
     scene.render.passes = 1000;
     scene.render.photonMap.causticPhotons = 1; // nothing is there for them to light
     const std::size_t glass = addMaterial(scene, Dielectric{1.5});
     addObject(scene, Quad{{-1, -1, 0}, {2, 0, 0}, {0, 2, 0}}, glass);
     addObject(scene, Quad{{-1, -1, -2}, {2, 0, 0}, {0, 2, 0}}, std::nullopt, dvec3(7));
     const double seen = 7 / 2.25;
-    CHECK_THAT(render(scene).picture.pixels[0].x, WithinAbs(0.96 * seen, 5 * seen * std::sqrt(0.96 * 0.04 / 1000)));
+    CHECK_THAT(render(scene, renderPpm).picture.pixels[0].x,
+               WithinAbs(0.96 * seen, 5 * seen * std::sqrt(0.96 * 0.04 / 1000)));
 }
 
 TEST_CASE("the same scene and seed give the same bits, another seed others") {
     Scene scene = cornellBox();
-    const Image first = render(scene).picture;
-    CHECK(render(scene).picture.pixels == first.pixels);
+    const Image first = render(scene, renderPpm).picture;
+    CHECK(render(scene, renderPpm).picture.pixels == first.pixels);
     scene.render.seed = 2;
-    CHECK(render(scene).picture.pixels != first.pixels);
+    CHECK(render(scene, renderPpm).picture.pixels != first.pixels);
 }
 
 TEST_CASE("the picture shared out over the cores is the mean of its pixels taken one by one") {
@@ -135,7 +136,7 @@ TEST_CASE("the picture shared out over the cores is the mean of its pixels taken
         *radius = std::sqrt(nextRadius2(*radius * *radius, 0, scene.render.alpha));
     }
     const ProgressiveMaps second = traceProgressive(world, radii, 1);
-    const Image image = render(scene).picture;
+    const Image image = render(scene, renderPpm).picture;
     for (std::uint32_t pixel = 0; pixel < 256; ++pixel) {
         const dvec3 sum = ppmRadiance(world, first, pixel, 0) + ppmRadiance(world, second, pixel, 1);
         CHECK(image.pixels[pixel] == glm::vec3(sum / 2.0));
@@ -146,19 +147,20 @@ TEST_CASE("rendering may be ended after any pass and gives the mean so far") {
     Scene scene = cornellBox();
     scene.render.passes = 5;
     std::vector<std::uint32_t> calls;
-    const LayeredImage stopped = render(scene, {.afterPass = [&](std::uint32_t done, std::optional<double> /*error*/) {
-                                            calls.push_back(done);
-                                            return done < 2;
-                                        }});
+    const LayeredImage stopped =
+        render(scene, renderPpm, {.afterPass = [&](std::uint32_t done, std::optional<double> /*error*/) {
+                   calls.push_back(done);
+                   return done < 2;
+               }});
     CHECK(calls == std::vector<std::uint32_t>{1, 2});
     scene.render.passes = 2;
-    CHECK(stopped.picture.pixels == render(scene).picture.pixels);
+    CHECK(stopped.picture.pixels == render(scene, renderPpm).picture.pixels);
 }
 
 TEST_CASE("a scene without light is refused") {
     Scene scene = cornellBox();
     scene.objects[5].emission = dvec3(0);
-    CHECK_THROWS_AS(render(scene), Error);
+    CHECK_THROWS_AS(render(scene, renderPpm), Error);
     scene.lights = {{.position = {0, 0, 0}, .intensity = dvec3(0)}};
-    CHECK_THROWS_AS(render(scene), Error);
+    CHECK_THROWS_AS(render(scene, renderPpm), Error);
 }

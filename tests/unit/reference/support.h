@@ -34,7 +34,7 @@ private:
 };
 
 // One pixel, so narrow that all its rays are the axis from position to target (to 1e-4 rad).
-inline Scene onePixel(const dvec3& position, const dvec3& target, Integrator integrator) {
+inline Scene onePixel(const dvec3& position, const dvec3& target, std::string_view integrator) {
     Scene scene;
     scene.camera = {.position = position, .lookAt = target, .up = {0, 1, 0}, .fov = 0.01, .resolution = {1, 1}};
     if (std::abs(glm::normalize(target - position).y) > 0.9) {
@@ -61,7 +61,7 @@ inline void addObject(Scene& scene, const Shape& shape, std::optional<std::size_
 inline Scene cornellBox() {
     Scene scene;
     scene.camera = {.position = {0, 0, 3.9}, .lookAt = {0, 0, 0}, .up = {0, 1, 0}, .fov = 39.3, .resolution = {16, 16}};
-    scene.render.integrator = Integrator::Ppm;
+    scene.render.integrator = "ppm";
     scene.render.maxDepth = 12;
     scene.render.passes = 2;
     scene.render.photons = 4000;

@@ -35,7 +35,7 @@ void checkUv(const dvec2& actual, const dvec2& expected) {
 }
 
 Scene sceneOf(const Shape& shape) {
-    Scene scene = onePixel({0, 0, 5}, {0, 0, 0}, Integrator::Ppm);
+    Scene scene = onePixel({0, 0, 5}, {0, 0, 0}, "ppm");
     addObject(scene, shape, std::nullopt);
     return scene;
 }
@@ -115,7 +115,7 @@ TEST_CASE("quads, disks, spheres and meshes have the coordinates that the docume
 }
 
 TEST_CASE("a texture multiplies the colour of diffuse surfaces and mirrors") {
-    Scene scene = onePixel({0, 0, 5}, {0, 0, 0}, Integrator::Ppm);
+    Scene scene = onePixel({0, 0, 5}, {0, 0, 0}, "ppm");
     scene.textures.push_back({"t", fourTexels()});
     const auto modelSeen = [&](const MaterialModel& model) {
         scene.materials = {{.name = {}, .model = model, .colorTexture = 0, .roughnessTexture = {}}};
@@ -131,7 +131,7 @@ TEST_CASE("a texture multiplies the colour of diffuse surfaces and mirrors") {
 }
 
 TEST_CASE("a texture's green multiplies the roughness, its blue the metallic") {
-    Scene scene = onePixel({0, 0, 5}, {0, 0, 0}, Integrator::Ppm);
+    Scene scene = onePixel({0, 0, 5}, {0, 0, 0}, "ppm");
     scene.textures.push_back({"t", Checker{.colors = {dvec3(0.9, 0.25, 0.5), dvec3(0)}, .size = 10}});
     scene.materials = {
         {.name = {}, .model = MetallicRoughness{dvec3(0.8), 0.5, 0.75}, .colorTexture = {}, .roughnessTexture = 0}};

@@ -20,7 +20,7 @@ double radiance(const Scene& scene) {
 
 // A floor y = 0 of albedo 0.6 seen at the origin, lit by a point of 10 W/sr at (1, 2, 0).
 Scene litFloor() {
-    Scene scene = onePixel({0, 3, 4}, {0, 0, 0}, Integrator::Whitted);
+    Scene scene = onePixel({0, 3, 4}, {0, 0, 0}, "whitted");
     const std::size_t floor = addMaterial(scene, Diffuse{dvec3(0.6)});
     addObject(scene, Quad{{-5, 0, -5}, {0, 0, 10}, {10, 0, 0}}, floor);
     scene.lights = {{.position = {1, 2, 0}, .intensity = dvec3(10)}};
@@ -33,7 +33,7 @@ const double kLitFloor = 0.6 / pi * 10 * 2 / (5 * std::sqrt(5.0));
 
 // A lamp of radiance 7 seen straight through a pane of ior 1.5.
 Scene pane(std::uint32_t maxDepth) {
-    Scene scene = onePixel({0, 0, 5}, {0, 0, 0}, Integrator::Whitted);
+    Scene scene = onePixel({0, 0, 5}, {0, 0, 0}, "whitted");
     scene.render.maxDepth = maxDepth;
     scene.render.minWeight = 0;
     const std::size_t glass = addMaterial(scene, Dielectric{1.5});
@@ -60,7 +60,7 @@ TEST_CASE("all lights add up, each by its own shadow ray") {
 }
 
 TEST_CASE("a mirror shows the lamp times its reflectance, and nothing at depth 0") {
-    Scene scene = onePixel({0, 0, 5}, {0, 0, 0}, Integrator::Whitted);
+    Scene scene = onePixel({0, 0, 5}, {0, 0, 0}, "whitted");
     const std::size_t mirror = addMaterial(scene, Mirror{dvec3(0.9)});
     addObject(scene, Quad{{-1, -1, 1}, {2, 0, -2}, {0, 2, 0}}, mirror);                // normal along (1, 0, 1)
     addObject(scene, Quad{{5, -1, -1}, {0, 0, 2}, {0, 2, 0}}, std::nullopt, dvec3(2)); // x = 5, facing -x
@@ -99,11 +99,11 @@ TEST_CASE("a lamp inside glass is seen from outside at (1 - F) / n^2 of its radi
 
 TEST_CASE("the picture's pixels are the means of their samples") {
     Scene scene = cornellBox();
-    scene.render.integrator = Integrator::Whitted;
+    scene.render.integrator = "whitted";
     scene.render.passes = 3;
     scene.render.maxDepth = 4;
     const World world = prepareWorld(scene);
-    const Image image = render(scene).picture;
+    const Image image = render(scene, renderWhitted).picture;
     REQUIRE(image.width == 16);
     REQUIRE(image.height == 16);
     for (std::uint32_t pixel = 0; pixel < 256; ++pixel) {

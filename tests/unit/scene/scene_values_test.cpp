@@ -44,7 +44,7 @@ TEST_CASE("the default scene is the Cornell box that other renderers were measur
     CHECK(scene.camera.lookAt == glm::dvec3(0, 0, 0));
     CHECK(scene.camera.fov == 39.3);
     CHECK(scene.camera.resolution == glm::uvec2(512, 512));
-    CHECK(scene.render.integrator == Integrator::Ppm);
+    CHECK(scene.render.integrator == "ppm");
     CHECK(scene.render.maxDepth == 12);
     CHECK(scene.lights.empty());
     REQUIRE(scene.objects.size() == 8);
@@ -116,7 +116,7 @@ objects: [{shape: {type: sphere, radius: 2}, material: b}]
     CHECK(scene.camera.up == glm::dvec3(0, 1, 0));
     CHECK(scene.camera.fov == 45);
     CHECK(scene.camera.resolution == glm::uvec2(512, 512));
-    CHECK(scene.render.integrator == Integrator::Ppm);
+    CHECK(scene.render.integrator == "ppm");
     CHECK(scene.render.maxDepth == 12);
     CHECK(scene.render.passes == 64);
     CHECK(scene.render.photons == 200000);
@@ -149,7 +149,7 @@ objects: [{shape: {type: quad, corner: [-1, -.5, 0], edges: [[1, 0, 0], [0, 0, 2
     CHECK(scene.camera.up == glm::dvec3(0, 0, -1));
     CHECK(scene.camera.fov == 60.5);
     CHECK(scene.camera.resolution == glm::uvec2(640, 480));
-    CHECK(scene.render.integrator == Integrator::Whitted);
+    CHECK(scene.render.integrator == "whitted");
     CHECK(scene.render.maxDepth == 0);
     CHECK(scene.render.passes == 2);
     CHECK(scene.render.photons == 3);

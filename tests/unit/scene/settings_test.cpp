@@ -28,7 +28,7 @@ TEST_CASE("every setting changes what it names and nothing else") {
     applySetting(scene, "camera.position", "[1, 2, 3]");
     applySetting(scene, "camera.look_at", "[4, 5, 6]");
     applySetting(scene, "camera.up", "[0, 0, 1]");
-    CHECK(scene.render.integrator == Integrator::Whitted);
+    CHECK(scene.render.integrator == "whitted");
     CHECK(scene.render.maxDepth == 0);
     CHECK(scene.render.passes == 7);
     CHECK(scene.render.photons == 16777216);

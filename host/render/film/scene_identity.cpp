@@ -1,4 +1,4 @@
-#include "render/upload/scene_identity.h"
+#include "render/film/scene_identity.h"
 
 #include "base/fnv.h"
 #include "gpu/shader_compiler.h"
@@ -60,7 +60,7 @@ RenderIdentity identify(const Scene& scene, const DeviceScene& deviceScene, cons
     RenderIdentity identity;
     identity.scene = std::filesystem::path(scene.file).filename().string();
     identity.settings = {
-        {"integrator", nameOf(render.integrator)},
+        {"integrator", render.integrator},
         {"camera.resolution", text(resolution.x) + 'x' + text(resolution.y)},
         {"render.seed", text(render.seed)},
         {"render.sampler", nameOf(render.sampler)},

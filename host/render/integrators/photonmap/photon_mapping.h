@@ -2,31 +2,25 @@
 // the maps what they do not compute themselves.
 #pragma once
 
-#include "render/film/film.h"
 #include "render/integrators/integrator.h"
 #include "render/photons/photon_maps.h"
-#include "render/renderer.h"
 #include "render/wavefront/camera_paths.h"
 #include "render/wavefront/light_sampler.h"
-
-#include <filesystem>
 
 namespace hyalite::render {
 
 class PhotonMapping final : public PassIntegrator {
 public:
-    // The layers of its film.
-    [[nodiscard]] static std::vector<LayerKind> layers(PhotonView view);
+    [[nodiscard]] static IntegratorKind kind();
 
-    // References are kept.
-    PhotonMapping(Device& device, const Scene& scene, const DeviceScene& deviceScene, const Film& film,
-                  const RenderOptions& options);
+    explicit PhotonMapping(const IntegratorInput& input);
 
-    // The first call traces the photons; a pass is then one sample per pixel.
+    // Makes the maps: of photons that it traces, or of those in a file.
+    void begin() override;
+    // One sample per pixel.
     void renderPass(std::uint32_t pass) override;
 
 private:
-    void prepareMaps();
     void noteMaps();
     void renderLight(std::uint32_t pass);
     void sampleDirectLight(std::uint32_t pass);
@@ -36,10 +30,8 @@ private:
     Device& device_;
     const Scene& scene_;
     const DeviceScene& deviceScene_;
-    const Film& film_;
-    std::filesystem::path save_;
-    std::filesystem::path load_;
-    bool prepared_ = false;
+    Film& film_;
+    PhotonFiles files_;
 
     CameraPaths cameraPaths_;
     LightSampler lightSampler_;

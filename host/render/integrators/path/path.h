@@ -1,7 +1,6 @@
 // Unidirectional path tracing with next-event estimation [Kajiya86], the unbiased yardstick of the other integrators.
 #pragma once
 
-#include "render/film/film.h"
 #include "render/integrators/integrator.h"
 #include "render/wavefront/camera_paths.h"
 #include "render/wavefront/light_sampler.h"
@@ -10,18 +9,16 @@ namespace hyalite::render {
 
 class PathTracing final : public PassIntegrator {
 public:
-    // The layers of its film.
-    [[nodiscard]] static std::vector<LayerKind> layers() { return {{"met"}, {"sampled"}}; }
+    [[nodiscard]] static IntegratorKind kind();
 
-    // References are kept.
-    PathTracing(Device& device, const Scene& scene, const DeviceScene& deviceScene, const Film& film);
+    explicit PathTracing(const IntegratorInput& input);
 
     void renderPass(std::uint32_t pass) override;
 
 private:
     Device& device_;
     const Scene& scene_;
-    const Film& film_;
+    Film& film_;
     CameraPaths cameraPaths_;
     LightSampler lightSampler_;
     gpu::Kernel bouncePaths_;

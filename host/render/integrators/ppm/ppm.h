@@ -1,7 +1,6 @@
 // Progressive photon mapping with independent passes [Knaus11].
 #pragma once
 
-#include "render/film/film.h"
 #include "render/integrators/integrator.h"
 #include "render/photons/photon_grid.h"
 #include "render/photons/photon_paths.h"
@@ -16,14 +15,12 @@ namespace hyalite::render {
 
 class Ppm final : public PassIntegrator {
 public:
-    // The layers of its film.
-    [[nodiscard]] static std::vector<LayerKind> layers() {
-        return {{"emitted"}, {"direct"}, {"caustic"}, {"indirect"}};
-    }
+    [[nodiscard]] static IntegratorKind kind();
 
-    // References are kept.
-    Ppm(Device& device, const Scene& scene, const DeviceScene& deviceScene, const Film& film);
+    explicit Ppm(const IntegratorInput& input);
 
+    // Where the settings leave a search radius open, finds it by the density of a few photons.
+    void prepare() override;
     void renderPass(std::uint32_t pass) override;
 
 private:
@@ -34,9 +31,9 @@ private:
         std::uint32_t kinds;   // that are stored, see PhotonPass
         bool aimed;
         std::uint32_t layer;
-        double radius; // of pass 0 [m]
+        double radius; // of pass 0 [m]; 0: prepare() finds it
     };
-    [[nodiscard]] std::vector<Photons> photonsOf(const Scene& scene, const DeviceScene& deviceScene);
+    [[nodiscard]] static std::vector<Photons> photonsOf(const Scene& scene, const DeviceScene& deviceScene);
     [[nodiscard]] PhotonPass photonPass(const Photons& photons, std::uint32_t pass) const;
     [[nodiscard]] double radiusByPilot(const Photons& photons);
 
@@ -45,7 +42,7 @@ private:
 
     Device& device_;
     const Scene& scene_;
-    const Film& film_;
+    Film& film_;
 
     CameraPaths cameraPaths_;
     LightSampler lightSampler_;

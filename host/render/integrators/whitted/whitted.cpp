@@ -1,5 +1,6 @@
-#include "render/integrators/whitted.h"
+#include "render/integrators/whitted/whitted.h"
 
+#include "reference/integrators/whitted.h"
 #include "scene/model/render_seed.h"
 
 namespace hyalite::render {
@@ -10,10 +11,18 @@ constexpr std::uint32_t kSlotsOfPath = 2; // for a reflected ray and a refracted
 
 } // namespace
 
-Whitted::Whitted(Device& device, const Scene& scene, const DeviceScene& deviceScene, const Film& film)
-    : device_(device), scene_(scene), deviceScene_(deviceScene), film_(film),
-      traceWhitted_(device.kernel("trace_whitted", deviceScene.specialization)), sumPaths_(device.kernel("sum_paths")),
-      nextRays_(device), roughLight_(device, deviceScene), radiance_(device.context, film.pixelCount(), "radiance") {}
+IntegratorKind Whitted::kind() {
+    return {.name = "whitted",
+            .layers = [](const RenderSettings&) -> std::vector<LayerKind> { return {{"radiance"}}; },
+            .make = makeIntegrator<Whitted>,
+            .reference = reference::renderWhitted};
+}
+
+Whitted::Whitted(const IntegratorInput& input)
+    : device_(input.device), scene_(input.scene), deviceScene_(input.deviceScene), film_(input.film),
+      traceWhitted_(device_.kernel("trace_whitted", deviceScene_.specialization)),
+      sumPaths_(device_.kernel("sum_paths")), nextRays_(device_), roughLight_(device_, deviceScene_),
+      radiance_(device_.context, film_.pixelCount(), "radiance") {}
 
 Whitted::Level& Whitted::levelFor(std::uint32_t depth, std::uint32_t count) {
     Level& level = levels_.at(depth % 2);
@@ -53,8 +62,11 @@ void Whitted::renderPass(std::uint32_t pass) {
         trace(pass, depth, count);
         const Level& level = levels_.at(depth % 2);
         if (depth > 1) { // the rays of a pixel stand together, so that their sum has one order
-            device_.commands.run(sumPaths_, shared::SumPathsArguments{level.pixels, level.light, radiance_, count},
-                                 count);
+            device_.commands.run(
+                sumPaths_,
+                shared::SumPathsArguments{
+                    .pixels = level.pixels, .light = level.light, .radiance = radiance_, .count = count},
+                count);
         }
         const std::uint32_t alive = nextRays_.count(device_, level.alive, count);
         if (alive > 0) {
@@ -107,10 +119,10 @@ void Whitted::trace(std::uint32_t pass, std::uint32_t depth, std::uint32_t count
                                                        .emitted = kept_.emitted,
                                                        .visiblePoints = kept_.visiblePoints},
                          count);
-    counts_.cameraRays += count;
-    counts_.shadowRays += std::uint64_t{count} * deviceScene_.lightCount;
+    counts_[Counter::CameraRays] += count;
+    counts_[Counter::ShadowRays] += std::uint64_t{count} * deviceScene_.lightCount;
     for (std::uint32_t lamp = 0; lamp < deviceScene_.lightCount; ++lamp) {
-        counts_.shadowRays += roughLight_.sample(level.roughPoints, light, count, lamp, pass);
+        counts_[Counter::ShadowRays] += roughLight_.sample(level.roughPoints, light, count, lamp, pass);
     }
 }
 

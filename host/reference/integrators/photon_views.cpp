@@ -1,4 +1,4 @@
-#include "reference/photons/photon_views.h"
+#include "reference/integrators/photon_views.h"
 
 #include "reference/film/film.h"
 #include "reference/integrators/photon_mapping.h"

@@ -1,7 +1,6 @@
 // Recursive reflection and refraction [Whitted80], the recursion unrolled into the levels of the trees of all pixels.
 #pragma once
 
-#include "render/film/film.h"
 #include "render/integrators/integrator.h"
 #include "render/upload/device_scene.h"
 #include "render/wavefront/next_rays.h"
@@ -13,11 +12,9 @@ namespace hyalite::render {
 
 class Whitted final : public PassIntegrator {
 public:
-    // The layers of its film.
-    [[nodiscard]] static std::vector<LayerKind> layers() { return {{"radiance"}}; }
+    [[nodiscard]] static IntegratorKind kind();
 
-    // References are kept.
-    Whitted(Device& device, const Scene& scene, const DeviceScene& deviceScene, const Film& film);
+    explicit Whitted(const IntegratorInput& input);
 
     void renderPass(std::uint32_t pass) override;
 
@@ -51,7 +48,7 @@ private:
     Device& device_;
     const Scene& scene_;
     const DeviceScene& deviceScene_;
-    const Film& film_;
+    Film& film_;
 
     gpu::Kernel traceWhitted_;
     gpu::Kernel sumPaths_;

@@ -1,6 +1,7 @@
-#include "render/integrators/ppm.h"
+#include "render/integrators/ppm/ppm.h"
 
 #include "geometry/search_radius.h"
+#include "reference/integrators/ppm.h"
 #include "render/photons/photon_slots.h"
 #include "scene/model/bounds.h"
 #include "scene/model/render_seed.h"
@@ -25,16 +26,31 @@ double searchRadius(double initial, double alpha, std::uint32_t pass) {
     return std::sqrt(radius2);
 }
 
-Ppm::Ppm(Device& device, const Scene& scene, const DeviceScene& deviceScene, const Film& film)
-    : device_(device), scene_(scene), film_(film), cameraPaths_(device, scene, deviceScene, film.pixelCount()),
-      lightSampler_(device, deviceScene, film.pixelCount()),
-      photonPaths_(device, scene, deviceScene,
-                   std::min(kPhotonsInFlight, std::max(scene.render.photons, scene.render.photonMap.causticPhotons))),
-      grid_(device), gatherRadiance_(device.kernel("gather_radiance")), photons_(photonsOf(scene, deviceScene)),
-      visiblePoints_(device.context, film.pixelCount(), "visible points"),
-      emitted_(device.context, film.pixelCount(), "emitted light"),
-      direct_(device.context, film.pixelCount(), "direct light"),
-      gathered_(device.context, film.pixelCount(), "gathered light") {}
+IntegratorKind Ppm::kind() {
+    return {.name = "ppm",
+            .layers = [](const RenderSettings&) -> std::vector<LayerKind> {
+                return {{"emitted"}, {"direct"}, {"caustic"}, {"indirect"}};
+            },
+            .make = makeIntegrator<Ppm>,
+            .reference = reference::renderPpm,
+            .simplifyForPaths = [](RenderSettings& render) { // no radius need be found
+                render.radius = 1;
+                render.photonMap.causticRadius = 1;
+            }};
+}
+
+Ppm::Ppm(const IntegratorInput& input)
+    : device_(input.device), scene_(input.scene), film_(input.film),
+      cameraPaths_(device_, scene_, input.deviceScene, film_.pixelCount()),
+      lightSampler_(device_, input.deviceScene, film_.pixelCount()),
+      photonPaths_(device_, scene_, input.deviceScene,
+                   std::min(kPhotonsInFlight, std::max(scene_.render.photons, scene_.render.photonMap.causticPhotons))),
+      grid_(device_), gatherRadiance_(device_.kernel("gather_radiance")),
+      photons_(photonsOf(scene_, input.deviceScene)),
+      visiblePoints_(device_.context, film_.pixelCount(), "visible points"),
+      emitted_(device_.context, film_.pixelCount(), "emitted light"),
+      direct_(device_.context, film_.pixelCount(), "direct light"),
+      gathered_(device_.context, film_.pixelCount(), "gathered light") {}
 
 std::vector<Ppm::Photons> Ppm::photonsOf(const Scene& scene, const DeviceScene& deviceScene) {
     const PhotonMapSettings& settings = scene.render.photonMap;
@@ -56,11 +72,14 @@ std::vector<Ppm::Photons> Ppm::photonsOf(const Scene& scene, const DeviceScene& 
                            .layer = kCaustic,
                            .radius = settings.causticRadius});
     }
-    for (Photons& kind : photons) {
-        kind.radius = kind.radius > 0 ? kind.radius : radiusByPilot(kind);
-        (kind.layer == kCaustic ? notes_.causticSearchRadius : notes_.searchRadius) = kind.radius;
-    }
     return photons;
+}
+
+void Ppm::prepare() {
+    for (Photons& photons : photons_) {
+        photons.radius = photons.radius > 0 ? photons.radius : radiusByPilot(photons);
+        (photons.layer == kCaustic ? notes_.causticSearchRadius : notes_.searchRadius) = photons.radius;
+    }
 }
 
 PhotonPass Ppm::photonPass(const Photons& photons, std::uint32_t pass) const {
@@ -89,8 +108,8 @@ void Ppm::renderPass(std::uint32_t pass) {
     device_.commands.clear(direct_.buffer());
     cameraPaths_.generate(pass);
     const RaysTraced rays = cameraPaths_.follow(pass, visiblePoints_, emitted_, &direct_);
-    counts_.cameraRays += rays.camera;
-    counts_.shadowRays += rays.shadow;
+    counts_[Counter::CameraRays] += rays.camera;
+    counts_[Counter::ShadowRays] += rays.shadow;
     // Light that comes to the diffuse surface straight from a lamp
     sampleDirectLight(pass);
     film_.add(device_, kEmitted, emitted_);
@@ -107,7 +126,7 @@ void Ppm::renderPass(std::uint32_t pass) {
 void Ppm::sampleDirectLight(std::uint32_t pass) {
     lightSampler_.sample(visiblePoints_, shared::kNone, pass, scene_.render.maxDepth);
     lightSampler_.trace(direct_);
-    counts_.shadowRays += film_.pixelCount();
+    counts_[Counter::ShadowRays] += film_.pixelCount();
 }
 
 void Ppm::gather(const Photons& photons, std::uint32_t pass) {
@@ -117,12 +136,19 @@ void Ppm::gather(const Photons& photons, std::uint32_t pass) {
     grid_.build(device_, photonPaths_.photons(), slots, radius);
     const std::uint32_t pixels = film_.pixelCount();
     device_.commands.run(gatherRadiance_,
-                         shared::GatherRadianceArguments{visiblePoints_, grid_.cellStarts(), gathered_, grid_.record(),
-                                                         radius, pixels, scene_.render.maxDepth, film_.resolution().x},
+                         shared::GatherRadianceArguments{.visiblePoints = visiblePoints_,
+                                                         .cellStarts = grid_.cellStarts(),
+                                                         .gathered = gathered_,
+                                                         .grid = grid_.record(),
+                                                         .radius = radius,
+                                                         .count = pixels,
+                                                         .maxDepth = scene_.render.maxDepth,
+                                                         .width = film_.resolution().x},
                          pixels);
-    counts_.photonRays += photonPaths_.raysTraced() - raysBefore;
-    (photons.layer == kCaustic ? counts_.causticPhotonsEmitted : counts_.photonsEmitted) += photons.count;
-    (photons.layer == kCaustic ? counts_.causticPhotonsStored : counts_.photonsStored) += grid_.photonCount();
+    counts_[Counter::PhotonRays] += photonPaths_.raysTraced() - raysBefore;
+    const bool caustic = photons.layer == kCaustic;
+    counts_[caustic ? Counter::CausticPhotonsEmitted : Counter::PhotonsEmitted] += photons.count;
+    counts_[caustic ? Counter::CausticPhotonsStored : Counter::PhotonsStored] += grid_.photonCount();
 }
 
 } // namespace hyalite::render

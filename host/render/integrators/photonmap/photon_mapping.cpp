@@ -1,7 +1,8 @@
-#include "render/integrators/photon_mapping.h"
+#include "render/integrators/photonmap/photon_mapping.h"
 
+#include "reference/integrators/photon_views.h"
+#include "render/film/scene_identity.h"
 #include "render/photons/photon_file.h"
-#include "render/upload/scene_identity.h"
 
 #include <algorithm>
 
@@ -16,10 +17,8 @@ constexpr std::uint32_t kAllLight =
 constexpr std::array<glm::vec3, 4> kPointColors{
     {{1.0F, 0.8F, 0.1F}, {0.1F, 0.3F, 1.0F}, {1.0F, 0.1F, 0.05F}, {0.5F, 0.0F, 0.5F}}};
 
-} // namespace
-
-std::vector<LayerKind> PhotonMapping::layers(PhotonView view) {
-    switch (view) {
+std::vector<LayerKind> layersOf(const RenderSettings& render) {
+    switch (render.photonMap.view) {
     case PhotonView::GlobalMap:
         return {{"emitted"}, {"global_map"}};
     case PhotonView::CausticMap:
@@ -34,39 +33,47 @@ std::vector<LayerKind> PhotonMapping::layers(PhotonView view) {
     return {{"emitted"}, {"direct"}, {"caustic"}, {"indirect"}};
 }
 
-PhotonMapping::PhotonMapping(Device& device, const Scene& scene, const DeviceScene& deviceScene, const Film& film,
-                             const RenderOptions& options)
-    : device_(device), scene_(scene), deviceScene_(deviceScene), film_(film), save_(options.savePhotons),
-      load_(options.loadPhotons), cameraPaths_(device, scene, deviceScene, film.pixelCount()),
-      lightSampler_(device, deviceScene, film.pixelCount()), maps_(device, scene, deviceScene),
-      startGatherRays_(device.kernel("start_gather_rays")), skipShadowRays_(device.kernel("skip_shadow_rays")),
-      addGatheredLight_(device.kernel("add_gathered_light")),
-      visiblePoints_(device.context, film.pixelCount(), "visible points"),
-      gatherPoints_(device.context, film.pixelCount(), "ends of gathering rays"),
-      emitted_(device.context, film.pixelCount(), "emitted light"),
-      unused_(device.context, film.pixelCount(), "emission seen by gathering rays"),
-      direct_(device.context, film.pixelCount(), "direct light"),
-      caustic_(device.context, film.pixelCount(), "caustics"),
-      indirect_(device.context, film.pixelCount(), "indirect light"),
-      found_(device.context, film.pixelCount(), "light found by gathering rays"),
-      radii_(device.context, film.pixelCount(), "radii of estimates"),
-      lit_(device.context, film.pixelCount(), "lights seen"),
-      shadowed_(device.context, film.pixelCount(), "lights hidden"),
-      shadowRayCounts_(device.context, 2, "counts of shadow rays") {
+} // namespace
+
+IntegratorKind PhotonMapping::kind() {
+    return {.name = "photonmap",
+            .layers = layersOf,
+            .make = makeIntegrator<PhotonMapping>,
+            .reference = reference::renderPhotonMap,
+            .referenceHasLayers = true,
+            .keepsPhotons = true,
+            .simplifyForPaths = [](RenderSettings& render) { render.photonMap.view = PhotonView::Picture; }};
+}
+
+PhotonMapping::PhotonMapping(const IntegratorInput& input)
+    : device_(input.device), scene_(input.scene), deviceScene_(input.deviceScene), film_(input.film),
+      files_(input.photonFiles), cameraPaths_(device_, scene_, deviceScene_, film_.pixelCount()),
+      lightSampler_(device_, deviceScene_, film_.pixelCount()), maps_(device_, scene_, deviceScene_),
+      startGatherRays_(device_.kernel("start_gather_rays")), skipShadowRays_(device_.kernel("skip_shadow_rays")),
+      addGatheredLight_(device_.kernel("add_gathered_light")),
+      visiblePoints_(device_.context, film_.pixelCount(), "visible points"),
+      gatherPoints_(device_.context, film_.pixelCount(), "ends of gathering rays"),
+      emitted_(device_.context, film_.pixelCount(), "emitted light"),
+      unused_(device_.context, film_.pixelCount(), "emission seen by gathering rays"),
+      direct_(device_.context, film_.pixelCount(), "direct light"),
+      caustic_(device_.context, film_.pixelCount(), "caustics"),
+      indirect_(device_.context, film_.pixelCount(), "indirect light"),
+      found_(device_.context, film_.pixelCount(), "light found by gathering rays"),
+      radii_(device_.context, film_.pixelCount(), "radii of estimates"),
+      lit_(device_.context, film_.pixelCount(), "lights seen"),
+      shadowed_(device_.context, film_.pixelCount(), "lights hidden"),
+      shadowRayCounts_(device_.context, 2, "counts of shadow rays") {
     std::ranges::fill(shadowRayCounts_.host(), 0U);
 }
 
 void PhotonMapping::renderPass(std::uint32_t pass) {
-    if (!prepared_) {
-        prepareMaps();
-    }
     // Where each pixel's path first meets a diffuse surface, through mirrors and glass, and the emission on the way; at
     // rough metal and glass also the light that comes there straight from a lamp
     device_.commands.clear(direct_.buffer());
     cameraPaths_.generate(pass);
     const RaysTraced rays = cameraPaths_.follow(pass, visiblePoints_, emitted_, &direct_);
-    counts_.cameraRays += rays.camera;
-    counts_.shadowRays += rays.shadow;
+    counts_[Counter::CameraRays] += rays.camera;
+    counts_[Counter::ShadowRays] += rays.shadow;
     switch (scene_.render.photonMap.view) {
     case PhotonView::GlobalMap:
         maps_.estimateGlobal(visiblePoints_, kAllLight, indirect_, radii_);
@@ -92,33 +99,32 @@ void PhotonMapping::renderPass(std::uint32_t pass) {
         break;
     }
     device_.commands.finish();
-    counts_.photonRays = maps_.raysTraced();
+    counts_[Counter::PhotonRays] = maps_.raysTraced();
 }
 
-void PhotonMapping::prepareMaps() {
-    if (load_.empty()) {
+void PhotonMapping::begin() {
+    if (files_.load.empty()) {
         maps_.trace();
     } else {
-        maps_.load(readPhotons(load_, photonFingerprint(scene_, deviceScene_)));
+        maps_.load(readPhotons(files_.load, photonFingerprint(scene_, deviceScene_)));
     }
-    if (!save_.empty()) {
-        writePhotons(save_, maps_.lists(), photonFingerprint(scene_, deviceScene_));
+    if (!files_.save.empty()) {
+        writePhotons(files_.save, maps_.lists(), photonFingerprint(scene_, deviceScene_));
     }
     maps_.build();
     if (scene_.render.photonMap.view == PhotonView::Photons) {
         drawPhotons();
     }
     noteMaps();
-    prepared_ = true;
 }
 
 void PhotonMapping::noteMaps() {
     const PhotonMapSettings& settings = scene_.render.photonMap;
     const PhotonLists& lists = maps_.lists();
-    counts_.photonsEmitted = scene_.render.photons;
-    counts_.photonsStored = lists.global.size();
-    counts_.causticPhotonsEmitted = maps_.hasTargets() ? settings.causticPhotons : 0;
-    counts_.causticPhotonsStored = lists.caustic.size();
+    counts_[Counter::PhotonsEmitted] = scene_.render.photons;
+    counts_[Counter::PhotonsStored] = lists.global.size();
+    counts_[Counter::CausticPhotonsEmitted] = maps_.hasTargets() ? settings.causticPhotons : 0;
+    counts_[Counter::CausticPhotonsStored] = lists.caustic.size();
     notes_.lights = maps_.balance();
     const auto warn = [&](const std::string& text) { notes_.warnings.push_back(text); };
     if (lists.global.empty()) {
@@ -163,19 +169,24 @@ void PhotonMapping::sampleDirectLight(std::uint32_t pass) {
         lightSampler_.sample(visiblePoints_, light, pass, scene_.render.maxDepth);
         if (classified && light < shared::kMostClassifiedLights) {
             commands.run(skipShadowRays_,
-                         shared::SkipShadowRaysArguments{lit_, shadowed_, lightSampler_.shadowRays(),
-                                                         lightSampler_.contributions(), direct_, shadowRayCounts_,
-                                                         light, pixels},
+                         shared::SkipShadowRaysArguments{.lit = lit_,
+                                                         .shadowed = shadowed_,
+                                                         .shadowRays = lightSampler_.shadowRays(),
+                                                         .contributions = lightSampler_.contributions(),
+                                                         .direct = direct_,
+                                                         .counts = shadowRayCounts_,
+                                                         .light = light,
+                                                         .count = pixels},
                          pixels);
         } else {
-            counts_.shadowRays += pixels;
+            counts_[Counter::ShadowRays] += pixels;
         }
         lightSampler_.trace(direct_);
     }
     if (classified) {
         commands.finish();
-        counts_.shadowRaysSaved += shadowRayCounts_.host()[0];
-        counts_.shadowRays += shadowRayCounts_.host()[1];
+        counts_[Counter::ShadowRaysSaved] += shadowRayCounts_.host()[0];
+        counts_[Counter::ShadowRays] += shadowRayCounts_.host()[1];
         std::ranges::fill(shadowRayCounts_.host(), 0U);
     }
 }
@@ -190,18 +201,24 @@ void PhotonMapping::gatherIndirectLight(std::uint32_t pass) {
         const std::uint32_t gather = shared::gatherPass(pass, settings.gatherRays, ray);
         CameraQueue& queue = cameraPaths_.queue();
         commands.run(startGatherRays_,
-                     shared::StartGatherRaysArguments{visiblePoints_, queue.nextRays, queue.nextPaths, queue.alive,
-                                                      pixels, gather},
+                     shared::StartGatherRaysArguments{.visiblePoints = visiblePoints_,
+                                                      .rays = queue.nextRays,
+                                                      .paths = queue.nextPaths,
+                                                      .alive = queue.alive,
+                                                      .count = pixels,
+                                                      .pass = gather},
                      pixels);
         commands.clear(gatherPoints_.buffer());
         cameraPaths_.compact(pixels);
         // Light straight from lamps, wherever it falls on the way, is caustic or direct light
-        counts_.cameraRays += cameraPaths_.follow(gather, gatherPoints_, unused_, nullptr).camera;
+        counts_[Counter::CameraRays] += cameraPaths_.follow(gather, gatherPoints_, unused_, nullptr).camera;
         if (settings.precomputedIrradiance) {
             maps_.addIrradiance(gatherPoints_, indirect_, scale);
         } else {
             maps_.estimateGlobal(gatherPoints_, kAllLight, found_, radii_);
-            commands.run(addGatheredLight_, shared::AddGatheredLightArguments{found_, indirect_, pixels, scale},
+            commands.run(addGatheredLight_,
+                         shared::AddGatheredLightArguments{
+                             .colors = found_, .gathered = indirect_, .count = pixels, .scale = scale},
                          pixels);
         }
     }

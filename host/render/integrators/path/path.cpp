@@ -1,0 +1,52 @@
+#include "render/integrators/path/path.h"
+
+#include "reference/integrators/path.h"
+
+namespace hyalite::render {
+
+IntegratorKind PathTracing::kind() {
+    return {.name = "path",
+            .layers = [](const RenderSettings&) -> std::vector<LayerKind> { return {{"met"}, {"sampled"}}; },
+            .make = makeIntegrator<PathTracing>,
+            .reference = reference::renderPath};
+}
+
+PathTracing::PathTracing(const IntegratorInput& input)
+    : device_(input.device), scene_(input.scene), film_(input.film),
+      cameraPaths_(device_, scene_, input.deviceScene, film_.pixelCount(), AtDiffuse::Bounces),
+      lightSampler_(device_, input.deviceScene, film_.pixelCount()), bouncePaths_(device_.kernel("bounce_paths")),
+      visiblePoints_(device_.context, film_.pixelCount(), "visible points"),
+      met_(device_.context, film_.pixelCount(), "light met"),
+      sampled_(device_.context, film_.pixelCount(), "light sampled") {}
+
+void PathTracing::renderPass(std::uint32_t pass) {
+    const std::uint32_t maxDepth = scene_.render.maxDepth;
+    device_.commands.clear(sampled_.buffer());
+    cameraPaths_.generate(pass);
+    const RaysTraced rays = cameraPaths_.follow(pass, visiblePoints_, met_, &sampled_, [&](std::uint32_t depth) {
+        const CameraQueue& queue = cameraPaths_.queue();
+        // Light that a shadow ray brings to the diffuse surfaces that paths have just come to …
+        lightSampler_.sample(visiblePoints_, shared::kNone, pass, maxDepth, depth);
+        lightSampler_.trace(sampled_);
+        counts_[Counter::ShadowRays] += queue.count;
+        // … and the ways on from there
+        device_.commands.run(bouncePaths_,
+                             shared::BouncePathsArguments{.paths = queue.paths,
+                                                          .visiblePoints = visiblePoints_,
+                                                          .nextRays = queue.nextRays,
+                                                          .nextPaths = queue.nextPaths,
+                                                          .alive = queue.alive,
+                                                          .count = queue.count,
+                                                          .depth = depth,
+                                                          .maxDepth = maxDepth,
+                                                          .pass = pass},
+                             queue.count);
+    });
+    counts_[Counter::CameraRays] += rays.camera;
+    counts_[Counter::ShadowRays] += rays.shadow;
+    film_.add(device_, 0, met_);
+    film_.add(device_, 1, sampled_);
+    device_.commands.finish();
+}
+
+} // namespace hyalite::render
