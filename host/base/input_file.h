@@ -1,4 +1,4 @@
-// Reads a whole input file into memory, with one clear error for each way in which that can fail.
+// Reads a whole input file into memory, with one clear error for each cause of failure.
 #pragma once
 
 #include "base/error.h"

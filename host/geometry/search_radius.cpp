@@ -59,16 +59,16 @@ private:
             return;
         }
         const std::size_t middle = begin + (end - begin) / 2;
-        const glm::dvec3 way = points_[i] - points_[middle];
+        const glm::dvec3 offset = points_[i] - points_[middle];
         if (middle != i) {
-            nearest.push_back(glm::dot(way, way));
+            nearest.push_back(glm::dot(offset, offset));
             std::ranges::push_heap(nearest);
             if (nearest.size() > k) {
                 std::ranges::pop_heap(nearest);
                 nearest.pop_back();
             }
         }
-        const double across = way[axes_[middle]];
+        const double across = offset[axes_[middle]];
         const bool isLow = across < 0;
         search(isLow ? begin : middle + 1, isLow ? middle : end, i, k, nearest);
         if (nearest.size() < k || across * across < nearest.front()) {

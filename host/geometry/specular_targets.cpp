@@ -48,8 +48,8 @@ BoundingSphere aroundMesh(const Mesh& mesh, const glm::dmat4& objectToWorld) {
 }
 
 BoundingSphere around(const BoundingSphere& a, const BoundingSphere& b) {
-    const glm::dvec3 way = b.center - a.center;
-    const double distance = glm::length(way);
+    const glm::dvec3 offset = b.center - a.center;
+    const double distance = glm::length(offset);
     if (!(distance + b.radius > a.radius)) {
         return a;
     }
@@ -57,7 +57,7 @@ BoundingSphere around(const BoundingSphere& a, const BoundingSphere& b) {
         return b;
     }
     const double radius = (distance + a.radius + b.radius) / 2;
-    return {.center = a.center + way * ((radius - a.radius) / distance), .radius = radius};
+    return {.center = a.center + offset * ((radius - a.radius) / distance), .radius = radius};
 }
 
 // Splits the spheres into `parts` groups of neighbours, halving along the axis on which their centres differ most.

@@ -67,7 +67,7 @@ private:
     std::uint64_t position_ = 0;
 };
 
-// Width and height of a window; throws for what is empty or beyond the limits, without overflow on the way.
+// Width and height of a window; throws where it is empty or beyond the limits; computed without overflow.
 glm::ivec2 sizeOf(const Imath::Box2i& window) {
     const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
     const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;

@@ -25,7 +25,7 @@ namespace hyalite {
 [[nodiscard]] Mesh parsePly(std::string_view bytes, const std::string& file);
 [[nodiscard]] Mesh parseStl(std::string_view bytes, const std::string& file);
 
-// Whether the file's ending is one of glTF's: such a file may have parts with places and materials of their own.
+// Whether the file's ending is one of glTF's: these files may have parts with placements and materials of their own.
 [[nodiscard]] bool isGltf(const std::filesystem::path& path);
 
 } // namespace hyalite

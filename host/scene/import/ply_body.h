@@ -16,7 +16,7 @@ public:
     PlyBody(std::string_view file, const PlyHeader& header, std::string name)
         : bytes_(file.substr(header.bytes)), encoding_(header.encoding), name_(std::move(name)), line_(header.lines) {}
 
-    // Bounds every later loop and allocation: throws unless what is left of the file can hold so many elements.
+    // Bounds every later loop and allocation: throws unless the rest of the file can hold that many elements.
     void checkRoomFor(const PlyElement& element) const;
 
     // Tells the body which element is read next, for messages; in text an element is a line.

@@ -39,7 +39,7 @@ struct PolygonSoup {
 // polygon and when there are too many.
 [[nodiscard]] Mesh buildMesh(PolygonSoup soup, const std::string& file);
 
-// Throws Error(BadInput) when a mesh of so many triangles is empty or too large.
+// Throws Error(BadInput) for a count of 0, and for one beyond kMostTriangles.
 void checkTriangleCount(std::size_t count, const std::string& file);
 
 // Whether the device can hold a coordinate read from a file: it is finite and within the range of lengths.
