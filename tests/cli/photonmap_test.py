@@ -56,6 +56,35 @@ class Flux(CliTest):
         self.assertLess(share["false"], 0.011)
 
 
+class FinalGathering(CliTest):
+    # Within a diffuse sphere every ray ends where it first arrives: one from the camera per pixel and pass, and three to
+    # gather from there.
+    SPHERE = """hyalite: 1
+camera: {position: [0, 0, 0.5], resolution: [9, 7]}
+render: {integrator: photonmap, passes: 2, photons: 500, gather_rays: 3}
+materials: {wall: {type: diffuse}}
+lights: [{type: point, position: [0, 0, 0], intensity: 5}]
+objects: [{shape: {type: sphere, radius: 2}, material: wall}]
+"""
+
+    def test_its_rays_are_counted_among_those_of_the_camera(self):
+        self.write("sphere.yaml", self.SPHERE)
+        counts = self.succeed_json("render", "sphere.yaml", "-o", "a.png")["counts"]
+        self.assertEqual(counts["gathering_rays"], 9 * 7 * 2 * 3)
+        self.assertEqual(counts["camera_rays"], 9 * 7 * 2 * (1 + 3))
+        profile = self.succeed("render", "sphere.yaml", "--profile", "-o", "a.png")
+        self.assertIn("gathering rays: 378 of 504, 75.0 %", profile)
+        none = self.succeed_json("render", "sphere.yaml", "--set", "render.gather_rays=0", "-o", "a.png")["counts"]
+        self.assertEqual(none["gathering_rays"], 0)
+
+    def test_its_count_comes_through_checkpoints_and_merge(self):
+        self.write("sphere.yaml", self.SPHERE)
+        for first in (0, 1):
+            self.succeed("render", "sphere.yaml", "--passes", f"{first}:{first + 1}", "--checkpoint", f"{first}", "-o", "a.png")
+        counts = self.succeed_json("merge", "0", "1", "-o", "a.png")["counts"]
+        self.assertEqual(counts["gathering_rays"], 9 * 7 * 2 * 3)
+
+
 class SavedMaps(CliTest):
     def setUp(self):
         super().setUp()

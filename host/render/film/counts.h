@@ -19,6 +19,7 @@ enum class Counter : std::uint8_t {
     ShadowRaysSaved,
     CausticPhotonsEmitted,
     CausticPhotonsStored,
+    GatheringRays,
 };
 
 struct CounterRow {
@@ -45,6 +46,8 @@ inline constexpr std::array kCounters{
                "caustic_photons_stored",
                "caustic photons stored",
                {Counter::CausticPhotonsEmitted}},
+    // Of the camera rays, those of final gathering: what render.gather_rays costs
+    CounterRow{Counter::GatheringRays, "gathering_rays", "gathering rays", {Counter::CameraRays}},
 };
 
 static_assert(

@@ -211,7 +211,9 @@ void PhotonMapping::gatherIndirectLight(std::uint32_t pass) {
         commands.clear(gatherPoints_.buffer());
         cameraPaths_.compact(pixels);
         // Light straight from lamps, wherever it falls on the way, is caustic or direct light
-        counts_[Counter::CameraRays] += cameraPaths_.follow(gather, gatherPoints_, unused_, nullptr).camera;
+        const std::uint64_t rays = cameraPaths_.follow(gather, gatherPoints_, unused_, nullptr).camera;
+        counts_[Counter::CameraRays] += rays;
+        counts_[Counter::GatheringRays] += rays;
         if (settings.precomputedIrradiance) {
             maps_.addIrradiance(gatherPoints_, indirect_, scale);
         } else {
