@@ -1,5 +1,5 @@
 // See read_lights.h. A new light is a reader here and a row of kLights.
-#include "scene/yaml/read_lights.h"
+#include "scene/load/read_lights.h"
 
 #include "image/image_io.h"
 #include "scene/model/scene_limits.h"

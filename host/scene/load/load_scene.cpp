@@ -1,13 +1,13 @@
 // See load_scene.h. The top of the format: its sections, objects, and what a scene as a whole must have.
-#include "scene/yaml/load_scene.h"
+#include "scene/load/load_scene.h"
 
 #include "base/input_file.h"
+#include "scene/load/read_lights.h"
+#include "scene/load/read_materials.h"
+#include "scene/load/read_shapes.h"
 #include "scene/model/bounds.h"
 #include "scene/model/scene_limits.h"
 #include "scene/yaml/mesh_library.h"
-#include "scene/yaml/read_lights.h"
-#include "scene/yaml/read_materials.h"
-#include "scene/yaml/read_shapes.h"
 #include "scene/yaml/read_textures.h"
 #include "scene/yaml/read_transform.h"
 #include "scene/yaml/reader.h"
