@@ -6,7 +6,7 @@
 #include "cli/command.h"
 #include "cli/open_device.h"
 #include "cli/shader_folder.h"
-#include "scene/yaml/load_scene.h"
+#include "scene/load/load_scene.h"
 
 #include <CLI/CLI.hpp>
 #include <iomanip>

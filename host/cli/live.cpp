@@ -8,7 +8,7 @@
 #include "gpu/context.h"
 #include "live/live_server.h"
 #include "live/worker.h"
-#include "scene/yaml/load_scene.h"
+#include "scene/load/load_scene.h"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>

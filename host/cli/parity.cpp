@@ -8,7 +8,7 @@
 #include "cli/parity_report.h"
 #include "cli/scene_settings.h"
 #include "parity/report.h"
-#include "scene/yaml/load_scene.h"
+#include "scene/load/load_scene.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -14,7 +14,7 @@
 #include "render/debug/buffer_dump.h"
 #include "render/film/render_identity.h"
 #include "render/wavefront/device.h"
-#include "scene/yaml/load_scene.h"
+#include "scene/load/load_scene.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

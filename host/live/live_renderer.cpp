@@ -6,7 +6,7 @@
 #include "parity/sides.h"
 #include "reference/bsdf/custom_twins.h"
 #include "render/upload/custom_code.h"
-#include "scene/yaml/load_scene.h"
+#include "scene/load/load_scene.h"
 #include "scene/yaml/settings.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Scene files, and the settings of the command line: YAML in all its depth.
 #include "fuzz/fuzz_input.h"
-#include "scene/yaml/load_scene.h"
+#include "scene/load/load_scene.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const hyalite::fuzz::InputFile file("scene.yaml");

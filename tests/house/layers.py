@@ -4,20 +4,38 @@ import posixpath
 import re
 
 RULE = (
-    "base <- image <- scene <- geometry <- {gpu, reference} <- render <- {parity, bench} <- live <- cli; Vulkan only under host/gpu; "
-    "host/scene is model <- import <- yaml; "
+    "base <- image <- scene <- geometry <- {gpu, reference} <- kinds <- scene/load <- render <- {parity, bench} <- live <- cli; "
+    "Vulkan only under host/gpu; host/scene is model <- import <- yaml, and load stands above kinds; "
     "of shaders/ the reference takes only shared/{random,limits,language}.h"
 )
 
-RANK = {"base": 0, "image": 1, "scene": 2, "geometry": 3, "gpu": 4, "reference": 4, "render": 5, "parity": 6, "bench": 6, "live": 7, "cli": 8}
-MAIN = 9  # host/main.cpp
+RANK = {
+    "base": 0,
+    "image": 1,
+    "scene": 2,
+    "geometry": 3,
+    "gpu": 4,
+    "reference": 4,
+    "kinds": 5,
+    "scene/load": 6,
+    "render": 7,
+    "parity": 8,
+    "bench": 8,
+    "live": 9,
+    "cli": 10,
+}
+MAIN = 11  # host/main.cpp
 ROOMS = {"scene": {"model": 0, "import": 1, "yaml": 2}}  # within a folder, likewise
 REFERENCE_MAY_TAKE = {f"shaders/shared/{name}.h" for name in ("random", "limits", "language")}
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
 
 
 def folder_of(path):
+    """The ranked folder under host/ that the file is in: the innermost one."""
     parts = path.split("/")
+    inner = "/".join(parts[1:3])
+    if len(parts) > 3 and inner in RANK:
+        return inner
     return parts[1] if len(parts) > 2 else None
 
 
@@ -84,10 +102,13 @@ def check(tree):
 CLEAN = {
     "host/main.cpp": '#include "cli/command.h"\n',
     "host/cli/command.h": '#include "render/ppm.h"\n#include "base/error.h"\n',
-    "host/render/ppm.h": '#include "gpu/context.h"\n#include "reference/ppm.h"\n',
+    "host/render/ppm.h": '#include "gpu/context.h"\n#include "reference/ppm.h"\n#include "kinds/lights/kinds.h"\n',
     "host/gpu/context.h": '#include "../base/error.h"\n#include <vector>\n',
     "host/gpu/device.h": "#include <vulkan/vulkan_raii.hpp>\n",
     "host/reference/ppm.h": '#include "geometry/bvh.h"\n#include "shaders/shared/random.h"\n',
+    "host/kinds/lights/point.cpp": '#include "scene/yaml/reader.h"\n#include "reference/ppm.h"\n',
+    "host/kinds/lights/kinds.h": "",
+    "host/scene/load/load_scene.h": '#include "scene/model/scene.h"\n#include "kinds/lights/kinds.h"\n',
     "host/geometry/bvh.h": '#include "box.h"\n#include "shaders/shared/scene_records.h"\n',
     "host/geometry/box.h": "",
     "host/scene/yaml/reader.h": '#include "scene/model/scene.h"\n',
@@ -105,5 +126,10 @@ PLANTED = [
     ("host/render/ppm.h", "#include <vulkan/vulkan.h>\n", "Vulkan outside"),
     ("host/render/ppm.h", '#include "gpu/device.h"\n', "Vulkan outside"),
     ("host/scene/model/scene.h", '#include "scene/yaml/reader.h"\n', "scene/model stands before scene/yaml"),
+    ("host/reference/ppm.h", '#include "kinds/lights/kinds.h"\n', "reference stands before or beside kinds"),
+    ("host/kinds/lights/point.cpp", '#include "render/ppm.h"\n', "kinds stands before or beside render"),
+    ("host/kinds/lights/point.cpp", '#include "scene/load/load_scene.h"\n', "kinds stands before or beside scene/load"),
+    ("host/scene/yaml/reader.h", '#include "scene/load/load_scene.h"\n', "scene stands before or beside scene/load"),
+    ("host/scene/yaml/reader.h", '#include "kinds/lights/kinds.h"\n', "scene stands before or beside kinds"),
     ("host/extra/thing.h", "\n", "no place in the order"),
 ]

@@ -2,7 +2,7 @@
 #include "kernel/kernel_support.h"
 #include "reference/render.h"
 #include "render/renderer.h"
-#include "scene/yaml/load_scene.h"
+#include "scene/load/load_scene.h"
 
 #include <filesystem>
 

@@ -1,6 +1,6 @@
 // Progressive photon mapping converges to what path tracing finds without bias.
 #include "image/known_answer.h"
-#include "scene/yaml/load_scene.h"
+#include "scene/load/load_scene.h"
 #include "unit/reference/support.h"
 
 #include <filesystem>

@@ -2,7 +2,7 @@
 #include "parity/capture.h"
 #include "render/debug/debug_view.h"
 #include "render/wavefront/device.h"
-#include "scene/yaml/load_scene.h"
+#include "scene/load/load_scene.h"
 #include "support/gpu_fixture.h"
 
 #include <algorithm>

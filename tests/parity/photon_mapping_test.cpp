@@ -1,6 +1,6 @@
 // Photon mapping in two passes, device against reference, setting by setting.
 #include "parity/compare_pictures.h"
-#include "scene/yaml/load_scene.h"
+#include "scene/load/load_scene.h"
 #include "scene/yaml/settings.h"
 
 #include <filesystem>

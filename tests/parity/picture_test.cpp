@@ -1,7 +1,7 @@
 // Pictures of both integrators, device against reference, at equal seed and passes.
 #include "kernel/kernel_support.h"
 #include "parity/compare_pictures.h"
-#include "scene/yaml/load_scene.h"
+#include "scene/load/load_scene.h"
 
 #include <filesystem>
 

@@ -60,8 +60,7 @@ double reflectionProbability(const World& world, const Surface& surface, const R
     }
     const auto leadsToLamp = [&](const std::optional<Ray>& way) {
         return way && std::ranges::any_of(world.lights, [&](const Light& light) {
-                   const auto* lamp = std::get_if<AreaLight>(&light.shape);
-                   return lamp != nullptr && looksAt(*lamp, way->origin, way->direction);
+                   return looksAt(light, way->origin, way->direction);
                });
     };
     constexpr double share{shared::kShareToLight};

@@ -25,12 +25,24 @@ enum class KeyType {
 struct KeyDoc {
     std::string_view name;
     KeyType type = KeyType::Number;
-    Range range = {};                  // of numbers; its unit is the key's
-    std::string_view defaultText = {}; // as the file would have it; empty: none
+    Range range = {};                  // of numbers; its unit is the key's; {0, 0}: any finite number
+    std::string_view defaultText = {}; // as the file would have it, or in words; empty: none
     bool required = false;
     std::string_view text = {}; // what it means: one line, no full stop
     std::span<const std::string_view> words = {};
     std::string_view schema = {}; // KeyType::Other: a JSON schema
+    // What the tables of the documentation say where the members above do not say it well
+    std::string_view typeText = {};  // "two colours"
+    std::string_view rangeText = {}; // "at least 1e-9 above `min` in each coordinate"
+};
+
+// A map of the scene file, such as a type of material: its keys, and what relates them.
+struct MapDoc {
+    std::string_view type = {};        // what its key `type` says; empty: it has none
+    std::string_view schemaName = {};  // its definition in the JSON schema, as in #/$defs/metallicRoughness
+    std::string_view text = {};        // what it is: a sentence for the documentation, which may be empty
+    std::span<const KeyDoc> keys = {}; // without `type`
+    std::string_view rules = {};       // what relates keys: a JSON object merged into the schema of the map
 };
 
 } // namespace hyalite

@@ -9,13 +9,16 @@
 namespace hyalite {
 
 bool Range::contains(double value) const {
+    if (orZero && value == 0) {
+        return true;
+    }
     return (lowIncluded ? value >= low : value > low) && (highIncluded ? value <= high : value < high);
 }
 
 std::string Range::text() const {
     const std::string tail = unit.empty() ? std::string() : ' ' + std::string(unit);
-    return std::string(lowIncluded ? "in [" : "in (") + numberText(low) + ", " + numberText(high) +
-           (highIncluded ? ']' : ')') + tail;
+    return std::string(orZero ? "0 or " : "") + (lowIncluded ? "in [" : "in (") + numberText(low) + ", " +
+           numberText(high) + (highIncluded ? ']' : ')') + tail;
 }
 
 void Value::fail(const std::string& what, const std::string& hint) const {

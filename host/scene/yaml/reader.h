@@ -24,9 +24,10 @@ struct Range {
     bool lowIncluded = true;
     bool highIncluded = true;
     std::string_view unit = {};
+    bool orZero = false; // 0 is in the range, too: it stands for a choice of the program's
 
     [[nodiscard]] bool contains(double value) const; // false for NaN
-    [[nodiscard]] std::string text() const;          // "in [0, 1]", "at least 1e-09 m"
+    [[nodiscard]] std::string text() const;          // "in [0, 1] m", "0 or in [1e-09, 1] m"
 };
 
 // One value of the document. Every read throws Error(BadInput) at the value's place.

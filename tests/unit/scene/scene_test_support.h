@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/error.h"
-#include "scene/yaml/load_scene.h"
+#include "scene/load/load_scene.h"
 
 #include <atomic>
 #include <catch2/catch_test_macros.hpp>

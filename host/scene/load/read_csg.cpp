@@ -1,11 +1,11 @@
 // See read_csg.h.
-#include "scene/yaml/read_csg.h"
+#include "scene/load/read_csg.h"
 
 #include "base/spelling.h"
+#include "scene/load/read_materials.h"
 #include "scene/model/bounds.h"
 #include "scene/model/mesh_topology.h"
 #include "scene/model/quadric.h"
-#include "scene/yaml/read_materials.h"
 
 #include <algorithm>
 #include <array>

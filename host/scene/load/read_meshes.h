@@ -1,8 +1,8 @@
 // The scene file's shapes of triangles: mesh files and the teapot.
 #pragma once
 
+#include "scene/load/read_shapes.h"
 #include "scene/model/scene.h"
-#include "scene/yaml/read_shapes.h"
 #include "scene/yaml/reader.h"
 
 namespace hyalite {

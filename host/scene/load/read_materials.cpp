@@ -1,5 +1,5 @@
 // See read_materials.h. A new material is a reader here and a row of kMaterials.
-#include "scene/yaml/read_materials.h"
+#include "scene/load/read_materials.h"
 
 #include "scene/model/scene_limits.h"
 #include "scene/yaml/custom_code.h"

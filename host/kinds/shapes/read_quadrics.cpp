@@ -1,5 +1,5 @@
 // See read_quadrics.h.
-#include "scene/yaml/read_quadrics.h"
+#include "kinds/shapes/read_quadrics.h"
 
 #include "scene/model/bounds.h"
 #include "scene/model/quadric.h"

@@ -1,5 +1,5 @@
 // See read_solids.h.
-#include "scene/yaml/read_solids.h"
+#include "kinds/shapes/read_solids.h"
 
 #include "scene/model/bounds.h"
 #include "scene/model/named_quadrics.h"

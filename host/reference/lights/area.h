@@ -1,10 +1,12 @@
 // Lights with a surface, each point of whose front has the same radiance in all directions.
 #pragma once
 
+#include "reference/lights/light_sample.h"
 #include "scene/model/scene.h"
 
 #include <array>
 #include <glm/glm.hpp>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -48,5 +50,15 @@ struct LightPoint {
 
 // Does a ray that nothing stops see the front of a quad, a disk or a sphere? Never that of a mesh.
 [[nodiscard]] bool looksAt(const AreaLight& light, const glm::dvec3& origin, const glm::dvec3& direction);
+
+// See light_sample.h.
+[[nodiscard]] Offer offerTo(const glm::dvec3& receiver, const AreaLight& light, glm::dvec2 uv);
+[[nodiscard]] double pdfToward(const AreaLight& light, const glm::dvec3& direction, double distance,
+                               const glm::dvec3& lightNormal);
+[[nodiscard]] LightRay emitFrom(const AreaLight& light, glm::dvec2 uOrigin, glm::dvec2 uDirection);
+[[nodiscard]] double emissionDensity(const AreaLight& light, const glm::dvec3& normal, const glm::dvec3& direction);
+[[nodiscard]] double emissionCosine(const AreaLight& light);
+[[nodiscard]] std::optional<StartDisc> startDisc(const AreaLight& light);
+[[nodiscard]] glm::dvec3 fluxOf(const AreaLight& light);
 
 } // namespace hyalite::reference

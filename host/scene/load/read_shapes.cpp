@@ -1,12 +1,12 @@
 // See read_shapes.h. A new shape is a reader in a file of its kind and a row of kShapes.
-#include "scene/yaml/read_shapes.h"
+#include "scene/load/read_shapes.h"
 
-#include "scene/yaml/read_csg.h"
-#include "scene/yaml/read_flat_shapes.h"
-#include "scene/yaml/read_materials.h"
-#include "scene/yaml/read_meshes.h"
-#include "scene/yaml/read_quadrics.h"
-#include "scene/yaml/read_solids.h"
+#include "kinds/shapes/read_flat_shapes.h"
+#include "kinds/shapes/read_quadrics.h"
+#include "kinds/shapes/read_solids.h"
+#include "scene/load/read_csg.h"
+#include "scene/load/read_materials.h"
+#include "scene/load/read_meshes.h"
 #include "scene/yaml/read_transform.h"
 
 #include <array>

@@ -1,5 +1,5 @@
 // See read_meshes.h.
-#include "scene/yaml/read_meshes.h"
+#include "scene/load/read_meshes.h"
 
 #include "base/input_file.h"
 #include "scene/import/mesh_import.h"

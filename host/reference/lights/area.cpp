@@ -1,5 +1,5 @@
-// See area_lights.h.
-#include "reference/lights/area_lights.h"
+// See area.h.
+#include "reference/lights/area.h"
 
 #include "reference/lib/sampling.h"
 #include "reference/shapes/affine.h"
@@ -165,6 +165,48 @@ double areaFacing(const AreaLight& light) {
 
 bool looksAt(const AreaLight& light, const glm::dvec3& origin, const glm::dvec3& direction) {
     return std::visit([&](const auto& shape) { return looksAt(shape, origin, direction); }, light.shape);
+}
+
+// An area sends Le cos(l) per area, and 1 / A is the density of the point.
+Offer offerTo(const glm::dvec3& receiver, const AreaLight& light, glm::dvec2 uv) {
+    const LightPoint y = pointFacing(light, receiver, uv);
+    const double cosLight = glm::dot(y.normal, glm::normalize(receiver - y.position));
+    Offer offer = offerFrom(y.position, receiver, light.radiance * (std::max(cosLight, 0.0) * areaFacing(light)));
+    // Moved off by the roundings of the way there too, which those of the light's coordinates do not bound
+    offer.shadowEnd = y.moved() + surfaceOffset(glm::length(offer.way)) * y.normal;
+    offer.pdfW = cosLight > 0 ? glm::dot(offer.way, offer.way) / (cosLight * areaFacing(light)) : 0;
+    return offer;
+}
+
+double pdfToward(const AreaLight& light, const glm::dvec3& direction, double distance, const glm::dvec3& lightNormal) {
+    const double cosLight = -glm::dot(direction, lightNormal);
+    return cosLight > 0 ? distance * distance / (cosLight * areaFacing(light)) : 0;
+}
+
+LightRay emitFrom(const AreaLight& light, glm::dvec2 uOrigin, glm::dvec2 uDirection) {
+    const LightPoint point = pointOn(light, uOrigin);
+    const glm::dvec3 direction = cosineHemisphere(uDirection, point.normal);
+    return {.origin = point.position,
+            .direction = direction,
+            .normal = point.normal,
+            .offset = point.offset,
+            .pdfDirection = emissionDensity(light, point.normal, direction)};
+}
+
+double emissionDensity(const AreaLight& /*light*/, const glm::dvec3& normal, const glm::dvec3& direction) {
+    return std::max(0.0, glm::dot(normal, direction)) / pi;
+}
+
+double emissionCosine(const AreaLight& /*light*/) {
+    return 0;
+}
+
+std::optional<StartDisc> startDisc(const AreaLight& /*light*/) {
+    return std::nullopt;
+}
+
+glm::dvec3 fluxOf(const AreaLight& light) {
+    return pi * light.area * light.radiance;
 }
 
 } // namespace hyalite::reference

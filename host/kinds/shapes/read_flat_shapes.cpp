@@ -1,5 +1,5 @@
 // See read_flat_shapes.h.
-#include "scene/yaml/read_flat_shapes.h"
+#include "kinds/shapes/read_flat_shapes.h"
 
 #include "scene/model/bounds.h"
 
