@@ -87,7 +87,7 @@ LiveRenderer::LiveRenderer(const gpu::Context& context, ReloadingCompiler& compi
                            std::function<bool()> isUnwanted)
     : context_(context), compiler_(compiler), pulse_(pulse), device_(context, compiler, /*timed*/ true),
       prints_(context, device_.tables), guard_(pulse, prints_, std::move(isUnwanted)) {
-    device_.commands.observe(&guard_);
+    observation_ = device_.commands.observe(guard_);
 }
 
 void LiveRenderer::load(const std::filesystem::path& file) {
@@ -269,18 +269,17 @@ parity::RecordedPath LiveRenderer::inspect(std::uint32_t pixel) {
     parity::PathRecorder recorder(sides, pixel);
     PathObserver observer(context_, device_.tables, recorder);
     const std::unique_ptr<Run> run = makeRun(scene, std::nullopt, false);
-    guard_.lookOnToo(&observer);
+    gpu::Observation observation = device_.commands.observe(observer);
     try {
         run->film->beginPass(0);
         run->integrator->renderPass(0);
     } catch (const Interrupted&) {
         device_.commands.finish(); // all that was wanted has been seen
     } catch (const Error&) {
-        guard_.lookOnToo(nullptr);
         device_.commands.finish();
         throw;
     }
-    guard_.lookOnToo(nullptr);
+    observation.end();
     guard_.mayStop(run_ != nullptr && !run_->isPreview);
     return parity::pathOf(sides, recorder, {false, 0, pixel});
 }

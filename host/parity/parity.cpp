@@ -46,7 +46,7 @@ public:
         options.onUpload = [&](render::Device& device, const render::DeviceScene& deviceScene) {
             sides_.emplace(scene_, deviceScene);
             capture_.emplace(context, device.tables, *sides_, std::set<std::string>{"nothing"});
-            device.commands.observe(&*capture_);
+            observation_ = device.commands.observe(*capture_);
         };
         static_cast<void>(render::render(context, compiler, scene_, options));
     }
@@ -58,6 +58,7 @@ private:
     Scene scene_;
     std::optional<Sides> sides_;
     std::optional<Capture> capture_;
+    gpu::Observation observation_;
 };
 
 } // namespace
@@ -85,11 +86,12 @@ Result compareSides(const gpu::Context& context, const gpu::ShaderCompiler& comp
                     const Options& options) {
     std::optional<Sides> sides;
     std::optional<Capture> capture;
+    gpu::Observation observation;
     render::RenderOptions renderOptions;
     renderOptions.onUpload = [&](render::Device& device, const render::DeviceScene& deviceScene) {
         sides.emplace(scene, deviceScene);
         capture.emplace(context, device.tables, *sides, options.stages);
-        device.commands.observe(&*capture);
+        observation = device.commands.observe(*capture);
     };
     render::RenderResult rendered = render::render(context, compiler, scene, renderOptions);
     Result result;
