@@ -1,7 +1,7 @@
 // What kernels do with paths at surfaces is compared alike, for camera paths and photons.
 #pragma once
 
-#include "parity/twins.h"
+#include "parity/check.h"
 
 #include <optional>
 #include <string>

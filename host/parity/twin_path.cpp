@@ -1,14 +1,14 @@
-#include "parity/path_step.h"
+#include "parity/twin_path.h"
 
+#include "parity/path_hooks.h"
 #include "reference/integrators/path.h"
+#include "reference/lib/sampling.h"
+
+#include <algorithm>
 
 namespace hyalite::parity {
 
 namespace {
-
-std::uint32_t wayOn(const reference::Surface& surface, const glm::dvec3& direction) {
-    return glm::dot(direction, surface.geometricNormal) < 0 ? kTransmitted : kReflected;
-}
 
 // The vertex without what is chosen there.
 Vertex vertexOf(const Sides& sides, const PathKey& key, const PathState& state,
@@ -27,12 +27,7 @@ Vertex vertexOf(const Sides& sides, const PathKey& key, const PathState& state,
         vertex.pdfW = state.camera.pdfW;
     }
     if (hit) {
-        vertex.position = surface->position;
-        vertex.normal = surface->normal;
-        vertex.front = surface->front;
-        vertex.object = hit->object;
-        vertex.primitive = hit->primitive;
-        vertex.material = sides.numberOf(surface->material);
+        setSurface(vertex, sides, *hit, *surface);
     }
     return vertex;
 }
@@ -52,7 +47,7 @@ void stepCamera(const Sides& sides, std::uint32_t pass, const PathState& state, 
     }
     if (shading.visible && shading.visible->f != glm::dvec3(0)) {
         step.vertex.choice |= kDiffuse;
-        if (world.render.integrator == Integrator::Path) {
+        if (hooksOf(world.render.integrator).bouncesAtDiffuse) {
             if (const auto next = reference::bouncePath(world, *shading.visible, state.camera, pass)) {
                 step.vertex.choice |= kBounced;
                 goOn(*next);
@@ -69,6 +64,18 @@ void stepPhoton(const Sides& sides, const reference::PhotonPass& pass, const Pat
     if (scatter.next) {
         step.vertex.choice |= wayOn(surface, scatter.next->direction);
         step.next.push_back({.ray = *scatter.next, .camera = {}, .photon = scatter.path, .depth = state.depth + 1});
+    }
+}
+
+void follow(const Sides& sides, const PathKey& key, const reference::PhotonPass& pass, const PathState& state,
+            std::vector<Vertex>& vertices) {
+    const PathStep step = stepOf(sides, key, pass, state, reference::traceClosest(sides.world(), state.ray));
+    vertices.push_back(step.vertex);
+    for (const PathState& next : step.next) {
+        // The last segment of the longest path belongs to the camera
+        if (!key.isPhoton || next.depth < sides.world().render.maxDepth) {
+            follow(sides, key, pass, next, vertices);
+        }
     }
 }
 
@@ -105,6 +112,48 @@ PathStep stepOf(const Sides& sides, const PathKey& key, const reference::PhotonP
         stepCamera(sides, key.sequence, state, *hit, *surface, step);
     }
     return step;
+}
+
+PathState firstState(const Sides& sides, const PathKey& key, const reference::PhotonPass& pass, Nudge nudge) {
+    const reference::World& world = sides.world();
+    if (key.isPhoton) {
+        const reference::Emission emission = reference::emitPhoton(world, key.number, pass, nudge.shift());
+        return {.ray = emission.ray,
+                .camera = {},
+                .photon = {.power = emission.power, .photon = key.number, .light = emission.light}};
+    }
+    return {.ray = reference::generateCameraRay(world, key.number, key.sequence),
+            .camera = reference::beginCameraPath(world, key.number, key.sequence),
+            .photon = {}};
+}
+
+std::vector<Vertex> twinPath(const Sides& sides, const PathKey& key, const reference::PhotonPass& pass) {
+    std::vector<Vertex> vertices;
+    const PathState first = firstState(sides, key, pass, Nudge(0));
+    if (!key.isPhoton || first.depth < sides.world().render.maxDepth) {
+        follow(sides, key, pass, first, vertices);
+    }
+    std::ranges::stable_sort(vertices, {}, &Vertex::depth);
+    return vertices;
+}
+
+std::vector<RandomNumbers> randomNumbersAt(Integrator integrator, const PathKey& path, const Vertex& vertex) {
+    const shared::Sampler sampler = path.isPhoton ? shared::photonSampler(path.sequence, path.number)
+                                                  : shared::pathSampler(vertex.seed, path.sequence);
+    const std::uint32_t v = vertex.depth - 1;
+    const auto pair = [&](std::uint32_t dimension) { return reference::sampleUnitSquare(sampler, dimension); };
+    if (path.isPhoton) {
+        return {{"roulette; lobe", pair(shared::photonScatter(v))}, {"direction", pair(shared::photonBounce(v))}};
+    }
+    std::vector<RandomNumbers> numbers{{"lobe or diffuse", pair(shared::cameraScatter(v))},
+                                       {"direction", pair(shared::cameraBounce(v))},
+                                       {"light", pair(shared::cameraLightChoice(v))},
+                                       {"point on it", pair(shared::cameraLightPoint(v))}};
+    if (hooksOf(integrator).bouncesAtDiffuse) {
+        numbers.push_back({"diffuse bounce", pair(shared::pathBounce(v))});
+        numbers.push_back({"roulette", pair(shared::pathRoulette(v))});
+    }
+    return numbers;
 }
 
 } // namespace hyalite::parity

@@ -1,5 +1,5 @@
 // Building the kd-tree of photons [Jensen01], list by list and level by level: integers, and floats that are compared.
-#include "parity/twins.h"
+#include "parity/checks/checks.h"
 
 #include "shaders/shared/kd_tree.h"
 #include "shaders/shared/kernel_arguments.h"
@@ -16,7 +16,44 @@ using shared::KdRange;
 using shared::KeyedPhoton;
 using shared::uint;
 
-constexpr std::size_t kWhole = SIZE_MAX / 1024; // of a buffer
+struct MarkFields : FieldSet<1> {
+    const Field& mark = exact("mark");
+};
+constexpr MarkFields kMarks;
+
+struct KeyFields : FieldSet<3> {
+    const Field& slot = exact("slot");
+    const Field& number = exact("number");
+    const Field& keys = exact("keys");
+};
+constexpr KeyFields kKeys;
+
+struct CountFields : FieldSet<1> {
+    const Field& count = exact("count");
+};
+constexpr CountFields kCounts;
+
+struct PhotonFields : FieldSet<1> {
+    const Field& photon = exact("photon");
+};
+constexpr PhotonFields kPhotons;
+
+struct SplitFields : FieldSet<2> {
+    const Field& node = exact("node");
+    const Field& photon = exact("photon");
+};
+constexpr SplitFields kSplits;
+
+struct NodeFields : FieldSet<1> {
+    const Field& node = exact("node");
+};
+constexpr NodeFields kNodes;
+
+struct PlaceFields : FieldSet<2> {
+    const Field& slot = exact("slot");
+    const Field& photon = exact("photon");
+};
+constexpr PlaceFields kPlaces;
 
 uint orderedBits(float x) {
     const uint bits = x == 0 ? 0 : std::bit_cast<uint>(x);
@@ -25,15 +62,6 @@ uint orderedBits(float x) {
 
 float fromOrderedBits(uint bits) {
     return std::bit_cast<float>((bits & 0x80000000U) != 0 ? bits & 0x7fffffffU : ~bits);
-}
-
-void expectOne(const Stage& stage, std::size_t i, std::string_view field, std::uint64_t device,
-               std::uint64_t expected) {
-    Answer a;
-    a.exact(field, device);
-    Answer b;
-    b.exact(field, expected);
-    stage.compareExact(i, a, b);
 }
 
 bool isLess(const KeyedPhoton& a, const KeyedPhoton& b, int axis) {
@@ -94,14 +122,12 @@ private:
     std::size_t stored_;
 };
 
-} // namespace
-
 void compareMarkPhotons(const Stage& stage) {
     const auto args = stage.seen.arguments<shared::MarkPhotonsArguments>();
     const auto photons = stage.seen.before<shared::Photon>(args.photons, args.count);
     const auto marks = stage.seen.after<uint>(args.marks, args.count);
     for (std::size_t i = 0; i < args.count; ++i) {
-        expectOne(stage, i, "mark", marks[i], photons[i].surface == shared::kNone ? 0 : 1);
+        stage.expect(i, kMarks.mark, marks[i], photons[i].surface == shared::kNone ? 0 : 1);
     }
 }
 
@@ -119,18 +145,18 @@ void compareKeyPhotons(const Stage& stage) {
         const uint number = numbers[i];
         Answer device;
         Answer answer;
-        device.exact("slot", slots[number]);
-        answer.exact("slot", i);
-        device.exact("number", keys[number].photon);
-        answer.exact("number", number);
+        device.exact(kKeys.slot, slots[number]);
+        answer.exact(kKeys.slot, i);
+        device.exact(kKeys.number, keys[number].photon);
+        answer.exact(kKeys.number, number);
         bool keysAgree = true;
         for (uint axis = 0; axis < 3; ++axis) {
             const uint key = orderedBits(photons[i].position[static_cast<int>(axis)]);
             keysAgree = keysAgree && keys[number].key[static_cast<int>(axis)] == key &&
                         pairs[axis * args.stored + number] == glm::uvec2(key, number);
         }
-        device.exact("keys", keysAgree ? 1 : 0);
-        answer.exact("keys", 1);
+        device.exact(kKeys.keys, keysAgree ? 1 : 0);
+        answer.exact(kKeys.keys, 1);
         stage.compareExact(i, device, answer);
     }
 }
@@ -148,7 +174,7 @@ void compareCountDigits(const Stage& stage) {
         ++expected[(axis * shared::kRadix + digit) * chunks + chunk];
     }
     for (std::size_t i = 0; i < counts.size(); ++i) {
-        expectOne(stage, i, "count", counts[i], expected[i]);
+        stage.expect(i, kCounts.count, counts[i], expected[i]);
     }
 }
 
@@ -166,7 +192,7 @@ void compareSortDigits(const Stage& stage) {
         for (std::size_t i = 0; i < args.stored; ++i) {
             const std::size_t at = axis * args.stored + i;
             const bool agrees = args.last == 0 ? sorted[at] == expected[i] : sameBits(lists[at], keys[expected[i].y]);
-            expectOne(stage, at, "photon", agrees ? 1 : 0, 1);
+            stage.expect(at, kPhotons.photon, agrees ? 1 : 0, 1);
         }
     }
 }
@@ -179,11 +205,11 @@ void compareSplitNodes(const Stage& stage) {
     for (uint node = 0; node < args.count; ++node) {
         const auto split = lists.split(shared::kdSubtree({0, args.stored}, args.level, node));
         Answer device;
-        device.exact("node", nodes[args.count - 1 + node]);
-        device.exact("photon", splits[node].photon);
+        device.exact(kSplits.node, nodes[args.count - 1 + node]);
+        device.exact(kSplits.photon, splits[node].photon);
         Answer answer;
-        answer.exact("node", split.word());
-        answer.exact("photon", split.middle.photon);
+        answer.exact(kSplits.node, split.word());
+        answer.exact(kSplits.photon, split.middle.photon);
         stage.compareExact(node, device, answer);
     }
 }
@@ -203,7 +229,7 @@ void compareCountSides(const Stage& stage) {
         const auto expected = std::ranges::count_if(photons.subspan(begin, end - begin), [&](const KeyedPhoton& p) {
             return isLess(p, split.middle, split.axis);
         });
-        expectOne(stage, i, "count", counts[i], static_cast<std::uint64_t>(expected));
+        stage.expect(i, kCounts.count, counts[i], static_cast<std::uint64_t>(expected));
     }
 }
 
@@ -219,7 +245,7 @@ void comparePartSides(const Stage& stage) {
             const auto found = parted.list(axis, range);
             for (uint i = 0; i < range.count; ++i) {
                 if (i != shared::kdLeftCount(range.count)) {
-                    expectOne(stage, std::size_t{range.first} + i, "photon", found[i].photon, expected[i].photon);
+                    stage.expect(std::size_t{range.first} + i, kPhotons.photon, found[i].photon, expected[i].photon);
                 }
             }
         }
@@ -245,7 +271,7 @@ void compareFinishSubtrees(const Stage& stage) {
             continue;
         }
         const auto split = lists.split(range);
-        expectOne(stage, node, "node", node < nodes.size() ? nodes[node] : shared::kNone, split.word());
+        stage.expect(node, kNodes.node, node < nodes.size() ? nodes[node] : shared::kNone, split.word());
         lists.part(range, split);
         open.push_back({2 * node + 1, shared::kdSubtree(range, 1, 0)});
         open.push_back({2 * node + 2, shared::kdSubtree(range, 1, 1)});
@@ -254,7 +280,7 @@ void compareFinishSubtrees(const Stage& stage) {
 
 void comparePlacePhotons(const Stage& stage) {
     const auto args = stage.seen.arguments<shared::PlacePhotonsArguments>();
-    const auto photons = stage.seen.before<shared::Photon>(args.photons, kWhole);
+    const auto photons = stage.seen.before<shared::Photon>(args.photons, Observed::kWhole);
     const auto nodes = stage.seen.before<uint>(args.nodes, args.count);
     const auto slots = stage.seen.before<uint>(args.slots, args.count);
     const auto sorted = stage.seen.after<shared::Photon>(args.sorted, args.count);
@@ -265,13 +291,25 @@ void comparePlacePhotons(const Stage& stage) {
         shared::Photon expected = photons[slot];
         expected.direction = (expected.direction & ~axisMask) | (nodes[i] & axisMask);
         Answer device;
-        device.exact("slot", order[i]);
-        device.exact("photon", sameBits(sorted[i], expected) ? 1 : 0);
+        device.exact(kPlaces.slot, order[i]);
+        device.exact(kPlaces.photon, sameBits(sorted[i], expected) ? 1 : 0);
         Answer answer;
-        answer.exact("slot", slot);
-        answer.exact("photon", 1);
+        answer.exact(kPlaces.slot, slot);
+        answer.exact(kPlaces.photon, 1);
         stage.compareExact(i, device, answer);
     }
 }
+
+} // namespace
+
+const Check kMarkPhotons{.kernel = "mark_photons", .compare = compareMarkPhotons, .fields = {kMarks.all()}};
+const Check kKeyPhotons{.kernel = "key_photons", .compare = compareKeyPhotons, .fields = {kKeys.all()}};
+const Check kCountDigits{.kernel = "count_digits", .compare = compareCountDigits, .fields = {kCounts.all()}};
+const Check kSortDigits{.kernel = "sort_digits", .compare = compareSortDigits, .fields = {kPhotons.all()}};
+const Check kSplitNodes{.kernel = "split_nodes", .compare = compareSplitNodes, .fields = {kSplits.all()}};
+const Check kCountSides{.kernel = "count_sides", .compare = compareCountSides, .fields = {kCounts.all()}};
+const Check kPartSides{.kernel = "part_sides", .compare = comparePartSides, .fields = {kPhotons.all()}};
+const Check kFinishSubtrees{.kernel = "finish_subtrees", .compare = compareFinishSubtrees, .fields = {kNodes.all()}};
+const Check kPlacePhotons{.kernel = "place_photons", .compare = comparePlacePhotons, .fields = {kPlaces.all()}};
 
 } // namespace hyalite::parity

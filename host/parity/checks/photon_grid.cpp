@@ -1,6 +1,6 @@
 // The photon grid: counting, listing, ordering and moving photons. What a bucket is follows from one multiplication,
 // which every device rounds alike, so that all of it is exact.
-#include "parity/twins.h"
+#include "parity/checks/checks.h"
 
 #include "shaders/shared/kernel_arguments.h"
 #include "shaders/shared/limits.h"
@@ -11,13 +11,27 @@ namespace hyalite::parity {
 
 namespace {
 
+struct CellFields : FieldSet<2> {
+    const Field& count = exact("count");
+    const Field& ranks = exact("ranks");
+};
+constexpr CellFields kCells;
+
+struct SlotFields : FieldSet<1> {
+    const Field& slot = exact("slot");
+};
+constexpr SlotFields kSlots;
+
+struct PhotonFields : FieldSet<1> {
+    const Field& photon = exact("photon");
+};
+constexpr PhotonFields kPhotons;
+
 std::uint32_t bucketOf(const glm::vec3& position, const shared::GridRecord& grid) {
     const glm::vec3 cell = glm::clamp(glm::floor(position * grid.inverseCellSize), glm::vec3(-shared::kFarthestCell),
                                       glm::vec3(shared::kFarthestCell));
     return shared::cellBucket(glm::ivec3(cell), grid.bucketMask);
 }
-
-} // namespace
 
 void compareCountCells(const Stage& stage) {
     const auto args = stage.seen.arguments<shared::CountCellsArguments>();
@@ -46,11 +60,11 @@ void compareCountCells(const Stage& stage) {
             areDistinct = areDistinct && ranksOf[bucket][k] == before[bucket] + k;
         }
         Answer device;
-        device.exact("count", counts[bucket]);
-        device.exact("ranks", areDistinct ? 1 : 0);
+        device.exact(kCells.count, counts[bucket]);
+        device.exact(kCells.ranks, areDistinct ? 1 : 0);
         Answer answer;
-        answer.exact("count", expected[bucket]);
-        answer.exact("ranks", 1);
+        answer.exact(kCells.count, expected[bucket]);
+        answer.exact(kCells.ranks, 1);
         stage.compareExact(bucket, device, answer);
     }
 }
@@ -67,9 +81,9 @@ void compareFillCells(const Stage& stage) {
         }
         const std::size_t place = std::size_t{starts[bucketOf(photons[i].position, args.grid)]} + ranks[i];
         Answer device;
-        device.exact("slot", place < order.size() ? order[place] : shared::kNone);
+        device.exact(kSlots.slot, place < order.size() ? order[place] : shared::kNone);
         Answer answer;
-        answer.exact("slot", i);
+        answer.exact(kSlots.slot, i);
         stage.compareExact(i, device, answer);
     }
 }
@@ -85,9 +99,9 @@ void compareOrderCells(const Stage& stage) {
     }
     for (std::size_t i = 0; i < expected.size(); ++i) {
         Answer device;
-        device.exact("slot", order[i]);
+        device.exact(kSlots.slot, order[i]);
         Answer answer;
-        answer.exact("slot", expected[i]);
+        answer.exact(kSlots.slot, expected[i]);
         stage.compareExact(i, device, answer);
     }
 }
@@ -95,15 +109,22 @@ void compareOrderCells(const Stage& stage) {
 void compareSortPhotons(const Stage& stage) {
     const auto args = stage.seen.arguments<shared::SortPhotonsArguments>();
     const auto order = stage.seen.before<shared::uint>(args.order, args.count);
-    const auto photons = stage.seen.before<shared::Photon>(args.photons, SIZE_MAX / 1024);
+    const auto photons = stage.seen.before<shared::Photon>(args.photons, Observed::kWhole);
     const auto sorted = stage.seen.after<shared::Photon>(args.sorted, args.count);
     for (std::size_t i = 0; i < args.count; ++i) {
         Answer device;
-        device.exact("photon", sameBits(sorted[i], photons[order[i]]) ? 1 : 0);
+        device.exact(kPhotons.photon, sameBits(sorted[i], photons[order[i]]) ? 1 : 0);
         Answer answer;
-        answer.exact("photon", 1);
+        answer.exact(kPhotons.photon, 1);
         stage.compareExact(i, device, answer);
     }
 }
+
+} // namespace
+
+const Check kCountCells{.kernel = "count_cells", .compare = compareCountCells, .fields = {kCells.all()}};
+const Check kFillCells{.kernel = "fill_cells", .compare = compareFillCells, .fields = {kSlots.all()}};
+const Check kOrderCells{.kernel = "order_cells", .compare = compareOrderCells, .fields = {kSlots.all()}};
+const Check kSortPhotons{.kernel = "sort_photons", .compare = compareSortPhotons, .fields = {kPhotons.all()}};
 
 } // namespace hyalite::parity
