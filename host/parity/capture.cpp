@@ -11,8 +11,9 @@ namespace {
 
 // The scene's own code that a kernel runs and that has no twin; nullptr: none.
 const CustomCode* codeWithoutTwin(const Scene& scene, const Check& check) {
-    if ((check.runs & kRunsFilter) != 0) {
-        return scene.render.photonMap.customFilter.get();
+    const CustomCode* filter = scene.render.photonMap.customFilter.get();
+    if ((check.runs & kRunsFilter) != 0 && filter != nullptr) {
+        return filter;
     }
     const CustomCode* code = (check.runs & kRunsTextures) != 0 ? reference::textureWithoutTwin(scene) : nullptr;
     if (code == nullptr && (check.runs & kRunsReflectances) != 0) {

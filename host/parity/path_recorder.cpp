@@ -41,7 +41,7 @@ void PathRecorder::addShading(const Shaded& shaded, std::uint32_t depth, std::ui
     vertex.weight = dvec3(shaded.path.beta);
     vertex.pdfW = double{shaded.path.pdfW};
     // A path that goes on from diffuse surfaces may have left a point at an earlier one
-    vertex.choice = shaded.visible.depth == depth && shaded.visible.f != glm::vec3(0) ? kDiffuse : 0;
+    vertex.choice = shaded.visible.depth == depth && sides_.reflects(shaded.visible) ? kDiffuse : 0;
     for (const shared::Ray& next : shaded.next) {
         vertex.choice |= wayOnFrom(surface, next);
     }

@@ -68,18 +68,13 @@ void compareBouncePaths(const Stage& stage) {
         stage.compare(
             i, answerOf(device, nextPaths[i].pixel, rays[i].from),
             [&](Nudge nudge) {
-                reference::VisiblePoint x = sides.toTwin(point);
+                reference::VisiblePoint x = sides.toTwin(point, nudge);
                 x.normal = nudge.direction(x.normal);
                 return answerOf(
                     reference::bouncePath(sides.world(), x, sides.toTwin(paths[i]), args.pass, nudge.shift()),
                     paths[i].pixel, point.from);
             },
-            [&] {
-                return OffenderInputs{{"position", describe(dvec3(point.position))},
-                                      {"normal", describe(dvec3(point.normal))},
-                                      {"f", describe(dvec3(point.f))},
-                                      {"pixel", std::to_string(point.pixel)}};
-            });
+            [&] { return visibleInputs(point); });
     }
 }
 
@@ -100,6 +95,7 @@ void noteBounces(PathRecorder& recorder, const Observed& dispatch) {
 const Check kBouncePaths{.kernel = "bounce_paths",
                          .compare = compareBouncePaths,
                          .fields = {kBounceFields.all()},
+                         .runs = kRunsTextures,
                          .paths = {.take = noteBounces}};
 
 } // namespace hyalite::parity

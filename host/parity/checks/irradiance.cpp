@@ -2,6 +2,7 @@
 #include "parity/checks/checks.h"
 
 #include "parity/checks/photon_map_of.h"
+#include "reference/lights/receiver.h"
 
 #include "shaders/shared/kernel_arguments.h"
 #include "shaders/shared/limits.h"
@@ -17,7 +18,7 @@ struct PointFields : FieldSet<5> {
     const Field& position = vector("position", kSame);
     const Field& normal = angle("normal");
     const Field& side = angle("side", kSide);
-    const Field& f = vector("f", kSame);
+    const Field& material = exact("material");
 };
 constexpr PointFields kPoints;
 
@@ -51,8 +52,8 @@ void compareBeginIrradiance(const Stage& stage) {
             answer.vector(kPoints.normal, normal);
             device.vector(kPoints.side, glm::normalize(unpackDirection(points[i].geometricNormal, 16)));
             answer.vector(kPoints.side, normal);
-            device.vector(kPoints.f, dvec3(points[i].f));
-            answer.vector(kPoints.f, dvec3(1));
+            device.exact(kPoints.material, points[i].material);
+            answer.exact(kPoints.material, shared::kNone);
         }
         stage.compareExact(i, device, answer);
     }
@@ -100,9 +101,10 @@ void compareLookUpIrradiance(const Stage& stage) {
                         return glm::dot(record.normal, y.normal) > 0.5 && glm::dot(record.direction, y.normal) > 0;
                     };
                     const auto nearest = map.nearest(y.position, 1, nudge.number(double{args.radius}), isOnSide);
-                    if (!nearest.empty()) { // a coat lets in 20/21 of light that comes evenly from everywhere
-                        gathered += y.f * map.photons()[nearest.front().index].power *
-                                    (double{args.scale} * (y.coated ? 20.0 / 21 : 1));
+                    if (!nearest.empty()) {
+                        const reference::Receiver receiver = reference::receiverAt(y);
+                        gathered += receiver.f * map.photons()[nearest.front().index].power *
+                                    (double{args.scale} * receiver.meanIncident());
                     }
                 }
                 Answer answer;
@@ -119,7 +121,9 @@ const Check kBeginIrradiance{
     .kernel = "begin_irradiance", .compare = compareBeginIrradiance, .fields = {kPoints.all()}};
 const Check kStoreIrradiance{
     .kernel = "store_irradiance", .compare = compareStoreIrradiance, .fields = {kRecords.all()}};
-const Check kLookUpIrradiance{
-    .kernel = "look_up_irradiance", .compare = compareLookUpIrradiance, .fields = {kLookUp.all()}};
+const Check kLookUpIrradiance{.kernel = "look_up_irradiance",
+                              .compare = compareLookUpIrradiance,
+                              .fields = {kLookUp.all()},
+                              .runs = kRunsTextures};
 
 } // namespace hyalite::parity

@@ -22,7 +22,7 @@ namespace hyalite::parity {
 
 [[nodiscard]] inline reference::VisiblePoint nudged(const Stage& stage, const shared::VisiblePoint& point,
                                                     Nudge& nudge) {
-    reference::VisiblePoint x = stage.sides.toTwin(point);
+    reference::VisiblePoint x = stage.sides.toTwin(point, nudge);
     x.position = nudge.point(x.position, stage.sides.scale());
     x.normal = nudge.direction(x.normal);
     return x;

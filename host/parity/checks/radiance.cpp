@@ -87,10 +87,11 @@ void compareEstimateRadiance(const Stage& stage) {
 
 } // namespace
 
-const Check kGatherRadiance{.kernel = "gather_radiance", .compare = compareGatherRadiance, .fields = {kGather.all()}};
+const Check kGatherRadiance{
+    .kernel = "gather_radiance", .compare = compareGatherRadiance, .fields = {kGather.all()}, .runs = kRunsTextures};
 const Check kEstimateRadiance{.kernel = "estimate_radiance",
                               .compare = compareEstimateRadiance,
                               .fields = {kEstimate.all()},
-                              .runs = kRunsFilter};
+                              .runs = kRunsTextures | kRunsFilter};
 
 } // namespace hyalite::parity

@@ -66,7 +66,7 @@ void compareSampleLights(const Stage& stage) {
                 if (point.depth == 0 || point.depth + 1 > args.maxDepth || !isOfBounce) {
                     return answerOf(std::nullopt);
                 }
-                reference::VisiblePoint x = stage.sides.toTwin(point);
+                reference::VisiblePoint x = stage.sides.toTwin(point, nudge);
                 x.position = nudge.point(x.position, stage.sides.scale());
                 x.shadowOrigin = x.position;
                 x.normal = nudge.direction(x.normal);
@@ -81,17 +81,13 @@ void compareSampleLights(const Stage& stage) {
                 }
                 return answerOf(sample);
             },
-            [&] {
-                return OffenderInputs{{"position", describe(dvec3(point.position))},
-                                      {"normal", describe(dvec3(point.normal))},
-                                      {"f", describe(dvec3(point.f))},
-                                      {"pixel", std::to_string(point.pixel)}};
-            });
+            [&] { return visibleInputs(point); });
     }
 }
 
 } // namespace
 
-const Check kSampleLights{.kernel = "sample_lights", .compare = compareSampleLights, .fields = {kLight.all()}};
+const Check kSampleLights{
+    .kernel = "sample_lights", .compare = compareSampleLights, .fields = {kLight.all()}, .runs = kRunsTextures};
 
 } // namespace hyalite::parity

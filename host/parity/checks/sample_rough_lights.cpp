@@ -49,7 +49,7 @@ void compareSampleRoughLights(const Stage& stage) {
         stage.compare(
             i, device,
             [&](Nudge nudge) {
-                reference::RoughPoint x = sides.toTwin(point);
+                reference::RoughPoint x = sides.toTwin(point, nudge);
                 x.surface.position = nudge.point(x.surface.position, sides.scale());
                 x.surface.normal = nudge.direction(x.surface.normal);
                 x.wo = nudge.direction(x.wo);
@@ -71,7 +71,7 @@ void compareSampleRoughLights(const Stage& stage) {
                 return OffenderInputs{{"position", describe(dvec3(point.position))},
                                       {"normal", describe(dvec3(point.normal))},
                                       {"wo", describe(dvec3(point.wo))},
-                                      {"alpha", describe(double{point.lobe.alpha})},
+                                      {"material", std::to_string(point.material)},
                                       {"result", std::to_string(point.result)}};
             });
     }
@@ -82,6 +82,6 @@ void compareSampleRoughLights(const Stage& stage) {
 const Check kSampleRoughLights{.kernel = "sample_rough_lights",
                                .compare = compareSampleRoughLights,
                                .fields = {kRoughLight.all()},
-                               .runs = kRunsReflectances};
+                               .runs = kRunsTextures | kRunsReflectances};
 
 } // namespace hyalite::parity

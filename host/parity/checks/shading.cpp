@@ -2,6 +2,7 @@
 
 #include "parity/checks/at_hit.h"
 #include "reference/integrators/path.h"
+#include "reference/lights/receiver.h"
 
 namespace hyalite::parity {
 
@@ -49,16 +50,17 @@ void addNext(Answer& answer, const NextFields& fields, const Sides& sides, const
     answer.number(fields.pdfW, path.pdfW);
 }
 
-// `isOff`: it stands on the side that the path came from.
-void addVisible(Answer& answer, const reference::VisiblePoint& x, bool isOff) {
+// `position`: on the surface. `isOff`: it stands on the side that the path came from.
+void addVisible(Answer& answer, const reference::VisiblePoint& x, const dvec3& position, bool isOff) {
     answer.exact(kShading.visibleMovedOff, isOff ? 1 : 0);
     answer.exact(kShading.visibleDepth, x.depth);
     answer.exact(kShading.visibleSeed, x.samplerSeed);
-    answer.exact(kShading.visibleCoat, x.coated ? 1 : 0);
     answer.vector(kShading.visiblePosition, x.shadowOrigin);
+    answer.vector(kShading.visibleOnSurface, position);
     answer.vector(kShading.visibleNormal, x.normal);
     answer.vector(kShading.visibleSide, x.geometricNormal);
-    answer.vector(kShading.visibleF, x.f);
+    answer.vector(kShading.visibleWo, x.wo);
+    answer.vector(kShading.visibleF, reference::receiverAt(x).f);
 }
 
 void addRough(Answer& answer, const reference::RoughPoint& x) {
@@ -67,7 +69,7 @@ void addRough(Answer& answer, const reference::RoughPoint& x) {
     answer.vector(kShading.roughNormal, x.surface.normal);
     answer.vector(kShading.roughWo, x.wo);
     answer.vector(kShading.roughBeta, x.beta);
-    answer.number(kShading.roughEta, std::holds_alternative<Dielectric>(x.lobe.model) ? x.lobe.eta : 1);
+    answer.number(kShading.roughEta, x.lobe.eta);
     answer.number(kShading.roughAlpha, x.lobe.alpha);
 }
 
@@ -76,7 +78,7 @@ void addRough(Answer& answer, const reference::RoughPoint& x) {
 Answer AtSurface::deviceAnswer(std::size_t i, const reference::Surface* surface, bool isCsg) const {
     const std::size_t result = resultOf(i);
     // Not of an earlier surface, nor where nothing is reflected
-    const bool isVisible = visible[result].depth == args.depth && visible[result].f != glm::vec3(0);
+    const bool isVisible = visible[result].depth == args.depth && stage.sides.reflects(visible[result]);
     const bool isRough = hasRough(i) && rough[i].depth != 0;
     Answer answer;
     answer.exact(kShading.visible, isVisible ? 1 : 0);
@@ -96,7 +98,7 @@ Answer AtSurface::deviceAnswer(std::size_t i, const reference::Surface* surface,
         const reference::VisiblePoint x = stage.sides.toTwin(visible[result]);
         const bool isOff =
             surface == nullptr || isCsg || glm::dot(x.position - surface->position, surface->geometricNormal) >= 0;
-        addVisible(answer, x, isOff);
+        addVisible(answer, x, dvec3(visible[result].onSurface), isOff);
     }
     if (isRough) {
         addRough(answer, stage.sides.toTwin(rough[i]));
@@ -120,7 +122,7 @@ Answer AtSurface::twinAnswer(std::size_t i, std::optional<reference::Hit> hit, N
         hit->v = nudge.number(hit->v);
         surface = reference::evaluateSurface(sides.world(), ray, *hit);
         shading = reference::shadeSurface(sides.world(), ray, *hit, path, args.depth, args.pass);
-        if (shading.visible && shading.visible->f == dvec3(0)) {
+        if (shading.visible && reference::receiverAt(*shading.visible).f == dvec3(0)) {
             shading.visible.reset();
         }
     } else {
@@ -145,7 +147,7 @@ Answer AtSurface::twinAnswer(std::size_t i, std::optional<reference::Hit> hit, N
         addNext(answer, kSecond, sides, slots, 1, surface, true);
     }
     if (shading.visible) {
-        addVisible(answer, *shading.visible, true);
+        addVisible(answer, *shading.visible, shading.visible->position, true);
     }
     if (shading.rough && hasRough(i)) {
         addRough(answer, *shading.rough);

@@ -13,7 +13,7 @@
 
 namespace hyalite::parity {
 
-struct ShadingFields : FieldSet<36> {
+struct ShadingFields : FieldSet<37> {
     const Field& visible = exact("visible", kCoin);
     const Field& rough = exact("rough", kCoin);
     const Field& next1 = exact("next 1", kCoin);
@@ -29,12 +29,13 @@ struct ShadingFields : FieldSet<36> {
     const Field& visibleMovedOff = exact("visible moved off", kGrazing);
     const Field& visibleDepth = exact("visible depth");
     const Field& visibleSeed = exact("visible seed");
-    const Field& visibleCoat = exact("visible coat");
     const Field& roughSeed = exact("rough seed");
     const Field& emitted = vector("emitted", kWeight);
     const Field& visiblePosition = place("visible position");
     const Field& visibleNormal = angle("visible normal", kNormal);
     const Field& visibleSide = angle("visible side", kSide);
+    const Field& visibleOnSurface = place("visible on surface");
+    const Field& visibleWo = angle("visible wo");
     const Field& visibleF = vector("visible f", kWeight);
     const Field& roughPosition = place("rough position");
     const Field& roughNormal = angle("rough normal", kNormal);

@@ -3,6 +3,7 @@
 
 #include "parity/path_recorder.h"
 #include "reference/lib/sampling.h"
+#include "reference/lights/receiver.h"
 
 #include "shaders/shared/kernel_arguments.h"
 #include "shaders/shared/limits.h"
@@ -51,16 +52,16 @@ void compareStartGatherRays(const Stage& stage) {
                           if (point.depth == 0) {
                               return answerOf(false, 0, {}, {}, {});
                           }
-                          reference::VisiblePoint x = stage.sides.toTwin(point);
+                          reference::VisiblePoint x = stage.sides.toTwin(point, nudge);
                           x.normal = nudge.direction(x.normal);
                           const std::uint32_t sequence = shared::gatherSequence(x.samplerSeed);
                           const glm::dvec2 uv = reference::sampleUnitSquare(shared::pathSampler(sequence, args.pass),
                                                                             shared::kGatherDirection, nudge.shift());
                           const dvec3 direction = reference::cosineHemisphere(uv, x.normal);
-                          const double c = 1 - std::clamp(glm::dot(direction, x.normal), 0.0, 1.0);
-                          const double entering = x.coated ? 1 - std::pow(c, 5) : 1;
+                          const reference::Receiver receiver = reference::receiverAt(x);
+                          const double incident = receiver.incident(glm::dot(direction, x.normal));
                           return answerOf(glm::dot(direction, x.geometricNormal) > 0, sequence, x.position, direction,
-                                          x.f * (std::numbers::pi * entering));
+                                          receiver.f * (std::numbers::pi * incident));
                       });
     }
 }
@@ -71,6 +72,7 @@ const Check kStartGatherRays{
     .kernel = "start_gather_rays",
     .compare = compareStartGatherRays,
     .fields = {kGatherRay.all()},
+    .runs = kRunsTextures,
     .paths = {.take = [](PathRecorder& recorder, const Observed&) { recorder.leaveCamera(); }}};
 
 } // namespace hyalite::parity

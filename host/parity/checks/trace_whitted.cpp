@@ -43,7 +43,7 @@ void compareLight(const AtSurface& at, const shared::TraceWhittedArguments& args
         [&](Nudge nudge) {
             dvec3 direct(0);
             if (point.depth != 0) {
-                reference::VisiblePoint x = sides.toTwin(point);
+                reference::VisiblePoint x = sides.toTwin(point, nudge);
                 x.position = nudge.point(x.position, sides.scale());
                 x.shadowOrigin = x.position;
                 x.normal = nudge.direction(x.normal);
@@ -63,12 +63,7 @@ void compareLight(const AtSurface& at, const shared::TraceWhittedArguments& args
             // What adds less than a rounding leaves no trace
             return answerOf(dvec3(emitted) + direct, emitted + glm::vec3(direct) != emitted);
         },
-        [&] {
-            return OffenderInputs{{"position", describe(dvec3(point.position))},
-                                  {"normal", describe(dvec3(point.normal))},
-                                  {"f", describe(dvec3(point.f))},
-                                  {"pixel", std::to_string(point.pixel)}};
-        });
+        [&] { return visibleInputs(point); });
 }
 
 void compareTraceWhitted(const Stage& stage) {

@@ -13,7 +13,9 @@ namespace hyalite::parity {
 [[nodiscard]] inline OffenderInputs visibleInputs(const shared::VisiblePoint& x) {
     return {{"position", describe(glm::dvec3(x.position))},
             {"normal", describe(glm::dvec3(x.normal))},
-            {"f", describe(glm::dvec3(x.f))},
+            {"wo", describe(glm::dvec3(x.wo))},
+            {"beta", describe(glm::dvec3(x.beta))},
+            {"material", std::to_string(x.material)},
             {"depth", std::to_string(x.depth)},
             {"pixel", std::to_string(x.pixel)}};
 }

@@ -102,9 +102,9 @@ const CustomCode* textureWithoutTwin(const Scene& scene) {
 
 const CustomCode* reflectanceWithoutTwin(const Scene& scene) {
     for (const Material& material : scene.materials) {
-        const auto* custom = std::get_if<CustomReflectance>(&material.model);
-        if (custom != nullptr && customReflectanceTwin(custom->code->function) == nullptr) {
-            return custom->code.get();
+        const CustomCode* code = material.model.code.get();
+        if (code != nullptr && customReflectanceTwin(code->function) == nullptr) {
+            return code;
         }
     }
     return nullptr;

@@ -1,7 +1,7 @@
 // Sampling the lights from both ends: shadow rays from surfaces, photons from the lights.
 #include "reference/lights/lights.h"
 
-#include "reference/bsdf/materials.h"
+#include "reference/lights/receiver.h"
 #include "reference/photons/photons.h"
 #include "reference/photons/projection_map.h"
 #include "reference/world.h"
@@ -103,10 +103,10 @@ std::optional<LightSample> sampleLight(const World& world, const VisiblePoint& x
     if (!(cosX > 0 && channelMean(arrival.irradiance) > 0)) {
         return std::nullopt;
     }
-    const double entering = x.coated ? coatTransmission(cosX) : 1;
+    const Receiver receiver = receiverAt(x);
     return LightSample{.from = x.shadowOrigin,
                        .to = arrival.shadowEnd,
-                       .contribution = x.f * arrival.irradiance * (cosX * entering),
+                       .contribution = receiver.f * arrival.irradiance * (cosX * receiver.incident(cosX)),
                        .cosine = cosX,
                        .pdfW = arrival.pdfW};
 }

@@ -41,16 +41,19 @@ struct Light {
 // The first light with x < cdf; x in [0, 1). Some light must emit.
 [[nodiscard]] std::uint32_t chooseLight(const std::vector<Light>& lights, double x);
 
-// Where a camera path first meets a diffuse surface: there the lights are sampled and the photons are gathered.
+// Where a camera path ends at a diffuse surface: there the lights are sampled, the photons are gathered and the BSDF is
+// evaluated (reference/lights/receiver.h).
 struct VisiblePoint {
     glm::dvec3 position;        // world [m]
     glm::dvec3 shadowOrigin;    // the same, moved off the surface to the side the path came from [m]
     glm::dvec3 normal;          // unit, for shading, on that side
     glm::dvec3 geometricNormal; // unit, on that side
-    glm::dvec3 f;               // path throughput times the BRDF [1/sr]
-    std::uint32_t depth = 0;    // segments from the camera to here
+    glm::dvec3 wo;              // unit, to where the path came from
+    glm::dvec3 beta;            // path throughput, probability of the diffuse part divided out
+    // With its textures multiplied in; none: the irradiance is asked for.
+    std::optional<MaterialModel> material = std::nullopt;
+    std::uint32_t depth = 0; // segments from the camera to here
     std::uint32_t samplerSeed = 0;
-    bool coated = false;        // f is to be multiplied by coatTransmission of the angle of incidence
     const Quad* quad = nullptr; // of the world: the parallelogram that this is on; nullptr: another shape
 };
 

@@ -3,9 +3,10 @@
 namespace hyalite::render {
 
 PathTracing::PathTracing(Device& device, const Scene& scene, const DeviceScene& deviceScene, const Film& film)
-    : device_(device), scene_(scene), film_(film),
+    : device_(device), scene_(scene), deviceScene_(deviceScene), film_(film),
       cameraPaths_(device, scene, deviceScene, film.pixelCount(), AtDiffuse::Bounces),
-      lightSampler_(device, deviceScene, film.pixelCount()), bouncePaths_(device.kernel("bounce_paths")),
+      lightSampler_(device, deviceScene, film.pixelCount()),
+      bouncePaths_(device.kernel("bounce_paths", deviceScene.specialization)),
       visiblePoints_(device.context, film.pixelCount(), "visible points"),
       met_(device.context, film.pixelCount(), "light met"),
       sampled_(device.context, film.pixelCount(), "light sampled") {}
@@ -22,8 +23,9 @@ void PathTracing::renderPass(std::uint32_t pass) {
         counts_.shadowRays += queue.count;
         // … and the ways on from there
         device_.commands.run(bouncePaths_,
-                             shared::BouncePathsArguments{queue.paths, visiblePoints_, queue.nextRays, queue.nextPaths,
-                                                          queue.alive, queue.count, depth, maxDepth, pass},
+                             shared::BouncePathsArguments{queue.paths, visiblePoints_, deviceScene_.materials,
+                                                          queue.nextRays, queue.nextPaths, queue.alive, queue.count,
+                                                          depth, maxDepth, pass},
                              queue.count);
     });
     counts_.cameraRays += rays.camera;

@@ -21,6 +21,7 @@ public:
 private:
     Device& device_;
     const Scene& scene_;
+    const DeviceScene& deviceScene_;
     const Film& film_;
     CameraPaths cameraPaths_;
     LightSampler lightSampler_;

@@ -39,8 +39,8 @@ PhotonMapping::PhotonMapping(Device& device, const Scene& scene, const DeviceSce
     : device_(device), scene_(scene), deviceScene_(deviceScene), film_(film), save_(options.savePhotons),
       load_(options.loadPhotons), cameraPaths_(device, scene, deviceScene, film.pixelCount()),
       lightSampler_(device, deviceScene, film.pixelCount()), maps_(device, scene, deviceScene),
-      startGatherRays_(device.kernel("start_gather_rays")), skipShadowRays_(device.kernel("skip_shadow_rays")),
-      addGatheredLight_(device.kernel("add_gathered_light")),
+      startGatherRays_(device.kernel("start_gather_rays", deviceScene.specialization)),
+      skipShadowRays_(device.kernel("skip_shadow_rays")), addGatheredLight_(device.kernel("add_gathered_light")),
       visiblePoints_(device.context, film.pixelCount(), "visible points"),
       gatherPoints_(device.context, film.pixelCount(), "ends of gathering rays"),
       emitted_(device.context, film.pixelCount(), "emitted light"),
@@ -190,8 +190,8 @@ void PhotonMapping::gatherIndirectLight(std::uint32_t pass) {
         const std::uint32_t gather = shared::gatherPass(pass, settings.gatherRays, ray);
         CameraQueue& queue = cameraPaths_.queue();
         commands.run(startGatherRays_,
-                     shared::StartGatherRaysArguments{visiblePoints_, queue.nextRays, queue.nextPaths, queue.alive,
-                                                      pixels, gather},
+                     shared::StartGatherRaysArguments{visiblePoints_, deviceScene_.materials, queue.nextRays,
+                                                      queue.nextPaths, queue.alive, pixels, gather},
                      pixels);
         commands.clear(gatherPoints_.buffer());
         cameraPaths_.compact(pixels);

@@ -26,12 +26,13 @@ double searchRadius(double initial, double alpha, std::uint32_t pass) {
 }
 
 Ppm::Ppm(Device& device, const Scene& scene, const DeviceScene& deviceScene, const Film& film)
-    : device_(device), scene_(scene), film_(film), cameraPaths_(device, scene, deviceScene, film.pixelCount()),
+    : device_(device), scene_(scene), deviceScene_(deviceScene), film_(film),
+      cameraPaths_(device, scene, deviceScene, film.pixelCount()),
       lightSampler_(device, deviceScene, film.pixelCount()),
       photonPaths_(device, scene, deviceScene,
                    std::min(kPhotonsInFlight, std::max(scene.render.photons, scene.render.photonMap.causticPhotons))),
-      grid_(device), gatherRadiance_(device.kernel("gather_radiance")), photons_(photonsOf(scene, deviceScene)),
-      visiblePoints_(device.context, film.pixelCount(), "visible points"),
+      grid_(device), gatherRadiance_(device.kernel("gather_radiance", deviceScene.specialization)),
+      photons_(photonsOf(scene, deviceScene)), visiblePoints_(device.context, film.pixelCount(), "visible points"),
       emitted_(device.context, film.pixelCount(), "emitted light"),
       direct_(device.context, film.pixelCount(), "direct light"),
       gathered_(device.context, film.pixelCount(), "gathered light") {}
@@ -117,8 +118,9 @@ void Ppm::gather(const Photons& photons, std::uint32_t pass) {
     grid_.build(device_, photonPaths_.photons(), slots, radius);
     const std::uint32_t pixels = film_.pixelCount();
     device_.commands.run(gatherRadiance_,
-                         shared::GatherRadianceArguments{visiblePoints_, grid_.cellStarts(), gathered_, grid_.record(),
-                                                         radius, pixels, scene_.render.maxDepth, film_.resolution().x},
+                         shared::GatherRadianceArguments{visiblePoints_, deviceScene_.materials, grid_.cellStarts(),
+                                                         gathered_, grid_.record(), radius, pixels,
+                                                         scene_.render.maxDepth, film_.resolution().x},
                          pixels);
     counts_.photonRays += photonPaths_.raysTraced() - raysBefore;
     (photons.layer == kCaustic ? counts_.causticPhotonsEmitted : counts_.photonsEmitted) += photons.count;

@@ -45,6 +45,7 @@ private:
 
     Device& device_;
     const Scene& scene_;
+    const DeviceScene& deviceScene_;
     const Film& film_;
 
     CameraPaths cameraPaths_;

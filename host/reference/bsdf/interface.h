@@ -17,12 +17,6 @@ namespace hyalite::reference {
 // cosIncident in [0, 1], eta as above.
 [[nodiscard]] double fresnelDielectric(double cosIncident, double eta);
 
-// The same for the boundary from a dielectric to a metal of the index eta + i k relative to it.
-[[nodiscard]] double fresnelConductor(double cosIncident, double eta, double k);
-
-// 1 - (1 - cos)^5: with F0 at normal incidence Schlick's approximation lets (1 - F0) times this through.
-[[nodiscard]] double coatTransmission(double cosine);
-
 // Cosine between the ray and the normal it faces; 0 where a shading normal has turned away from the ray.
 [[nodiscard]] double incidentCosine(const glm::dvec3& direction, const glm::dvec3& normal);
 
