@@ -2,7 +2,7 @@
 
 #include "geometry/specular_targets.h"
 #include "kinds/lights/light_table.h"
-#include "render/upload/material_table.h"
+#include "kinds/materials/material_table.h"
 #include "render/upload/mesh_tables.h"
 #include "render/upload/object_table.h"
 #include "render/upload/texture_table.h"
@@ -89,7 +89,7 @@ DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, c
     MeshTables meshes = buildMeshTables(scene.meshes);
     kinds::LightTable lights = kinds::buildLightTable(scene);
     ObjectTable objects = buildObjectTable(scene, meshes.roots, lights.firstEmitter, meshes.geometry);
-    const MaterialTable materials = buildMaterialTable(scene.materials);
+    const kinds::MaterialTable materials = kinds::buildMaterialTable(scene.materials);
 
     std::vector<shared::TargetRecord> targets;
     for (const BoundingSphere& sphere : specularTargets(scene)) {

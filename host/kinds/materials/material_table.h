@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace hyalite::render {
+namespace hyalite::kinds {
 
 struct MaterialTable {
     std::vector<shared::MaterialRecord> records; // in the scene's order
@@ -18,4 +18,4 @@ struct MaterialTable {
 
 [[nodiscard]] MaterialTable buildMaterialTable(const std::vector<Material>& materials);
 
-} // namespace hyalite::render
+} // namespace hyalite::kinds
