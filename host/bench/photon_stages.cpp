@@ -84,13 +84,13 @@ private:
         };
         build();
         add("grid", "photons", grid.photonCount(), build);
-        const gpu::Kernel gather = device_.kernel("gather_radiance");
+        const gpu::Kernel gather = device_.kernel("gather_radiance", deviceScene_.specialization);
         const auto count = static_cast<std::uint32_t>(points_.count());
         add("gather", "points", count, [&] {
             device_.commands.run(gather,
-                                 shared::GatherRadianceArguments{points_, grid.cellStarts(), gathered_, grid.record(),
-                                                                 radius, count, scene_.render.maxDepth,
-                                                                 deviceScene_.widthOf(count)},
+                                 shared::GatherRadianceArguments{points_, deviceScene_.materials, grid.cellStarts(),
+                                                                 gathered_, grid.record(), radius, count,
+                                                                 scene_.render.maxDepth, deviceScene_.widthOf(count)},
                                  count);
             device_.commands.finish();
         });
@@ -104,7 +104,7 @@ private:
         };
         build();
         add("tree", "photons", tree.photonCount(), build);
-        const render::RadianceEstimate estimate(device_, PhotonStructure::Tree, kNearest);
+        const render::RadianceEstimate estimate(device_, deviceScene_, PhotonStructure::Tree, kNearest);
         const render::PhotonSearch search{.nearest = kNearest,
                                           .radius = static_cast<float>(kLargestEstimate * sceneRadius(scene_)),
                                           .kinds = kKinds,

@@ -48,7 +48,7 @@ std::vector<RaySet> makeRaySets(render::Device& device, const Scene& scene, cons
     settings.render.maxDepth = kSegments;
     render::CameraPaths paths(device, settings, deviceScene, pixels, render::AtDiffuse::Bounces);
     render::LightSampler lights(device, deviceScene, pixels);
-    const gpu::Kernel bouncePaths = device.kernel("bounce_paths");
+    const gpu::Kernel bouncePaths = device.kernel("bounce_paths", deviceScene.specialization);
     const gpu::Array<shared::VisiblePoint> visiblePoints(device.context, pixels, "visible points");
     const gpu::Array<glm::vec3> met(device.context, pixels, "light met");
 
@@ -59,8 +59,9 @@ std::vector<RaySet> makeRaySets(render::Device& device, const Scene& scene, cons
     paths.follow(0, visiblePoints, met, nullptr, [&](std::uint32_t depth) {
         const render::CameraQueue& queue = paths.queue();
         device.commands.run(bouncePaths,
-                            shared::BouncePathsArguments{queue.paths, visiblePoints, queue.nextRays, queue.nextPaths,
-                                                         queue.alive, queue.count, depth, kSegments, 0},
+                            shared::BouncePathsArguments{queue.paths, visiblePoints, deviceScene.materials,
+                                                         queue.nextRays, queue.nextPaths, queue.alive, queue.count,
+                                                         depth, kSegments, 0},
                             queue.count);
         if (depth == 1) {
             lights.sample(visiblePoints, shared::kNone, 0, kSegments);

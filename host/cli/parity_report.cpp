@@ -36,7 +36,7 @@ const FieldResult* worstField(const StageResult& stage) {
         if (field.ulps.empty()) {
             continue;
         }
-        const double share = field.largestRelative / std::max(field.tolerance->relative, 1e-30);
+        const double share = field.largestRelative / std::max(field.field->tolerance->relative, 1e-30);
         if (worst == nullptr || share > largest) {
             worst = &field;
             largest = share;
@@ -103,7 +103,7 @@ std::string parityTable(const parity::Result& result, const Scene& scene) {
              << std::setw(11) << stage.elements << std::setw(9) << stage.apart << std::setw(9) << stage.failed;
         if (const FieldResult* worst = worstField(stage)) {
             text << std::setw(10) << shortNumber(worst->ulpPercentile(0.999)) << std::setw(10)
-                 << shortNumber(worst->largestUlp) << "  " << std::left << std::setw(20) << worst->tolerance->field;
+                 << shortNumber(worst->largestUlp) << "  " << std::left << std::setw(20) << worst->field->name;
         } else {
             text << std::setw(10) << "exact" << std::setw(10) << "" << std::setw(22) << "";
         }

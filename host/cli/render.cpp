@@ -110,9 +110,10 @@ LayeredImage renderOnDevice(const RenderCommand& command, const Scene& scene, Pr
         checkWritable(requests.back().file);
     }
     render::BufferDump dump(device.context(), std::move(requests));
+    gpu::Observation observation;
     if (!command.dumps.empty()) {
         renderOptions.onUpload = [&](render::Device& renderer, const render::DeviceScene&) {
-            renderer.commands.observe(&dump);
+            observation = renderer.commands.observe(dump);
         };
     }
     render::RenderResult result = render::render(device.context(), device.compiler(), scene, renderOptions);

@@ -17,7 +17,7 @@ constexpr std::size_t kMostVertices = 4'000'000;
 constexpr double kMargin = 1e-5;
 
 bool isSpecular(const Scene& scene, const std::optional<std::size_t>& material) {
-    return material && !std::holds_alternative<Diffuse>(scene.materials.at(*material).model);
+    return material && scene.materials.at(*material).model.type != shared::kMaterialDiffuse;
 }
 
 bool isSpecular(const Scene& scene, const Object& object) {

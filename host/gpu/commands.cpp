@@ -63,7 +63,7 @@ struct Commands::Impl {
     std::vector<Span> spans;      // of the work that is not finished; span i has timestamps 2 i and 2 i + 1
     std::set<std::string> stages; // of the work that is not finished
     std::map<std::string, StageTime> times;
-    DispatchObserver* observer = nullptr;
+    std::shared_ptr<std::vector<DispatchObserver*>> observers = std::make_shared<std::vector<DispatchObserver*>>();
 
     Impl(const Context::Impl& owner, const TexelTables::Impl& allTables, bool isTimed)
         : context(owner), tables(allTables), timed(isTimed),
@@ -204,7 +204,8 @@ void Commands::run(const Kernel& kernel, std::span<const std::byte> arguments, s
         finish();
         impl_->tables.describeBuffers();
     }
-    if (impl_->observer == nullptr) {
+    const std::vector<DispatchObserver*>& observers = *impl_->observers;
+    if (observers.empty()) {
         record(kernel, arguments, {.first = 0, .end = groups, .threads = threads});
         if constexpr (kCheckedKernels) {
             finish();
@@ -216,20 +217,28 @@ void Commands::run(const Kernel& kernel, std::span<const std::byte> arguments, s
     }
     const Dispatch dispatch{kernel, arguments, threads};
     finish();
-    impl_->observer->before(dispatch);
+    for (auto observer = observers.rbegin(); observer != observers.rend(); ++observer) {
+        (*observer)->before(dispatch);
+    }
+    std::uint32_t threadsOfPiece = std::numeric_limits<std::uint32_t>::max();
+    for (const DispatchObserver* observer : observers) {
+        threadsOfPiece = std::min(threadsOfPiece, observer->threadsOfPiece());
+    }
     // lib/thread.glsl counts on it that a piece which does not begin a row begins after as many groups as it has
-    const std::uint32_t wanted = std::max(1U, impl_->observer->threadsOfPiece() / shared::kGroupSize);
+    const std::uint32_t wanted = std::max(1U, threadsOfPiece / shared::kGroupSize);
     const std::uint32_t piece = std::min(std::bit_floor(wanted), kGroupsPerPiece);
     for (std::uint32_t first = 0; first < groups;) {
         if (first > 0) {
-            impl_->observer->between();
+            std::ranges::for_each(observers, &DispatchObserver::between);
         }
         const std::uint32_t end = groups - first > piece ? first + piece : groups;
         record(kernel, arguments, {.first = first, .end = end, .threads = threads});
         finish();
         first = end;
     }
-    impl_->observer->after(dispatch);
+    for (DispatchObserver* observer : observers) {
+        observer->after(dispatch);
+    }
 }
 
 void Commands::record(const Kernel& kernel, std::span<const std::byte> arguments, const Groups& groups) {
@@ -309,12 +318,12 @@ void Commands::finish() {
     });
 }
 
-void Commands::observe(DispatchObserver* observer) {
-    impl_->observer = observer;
+Observation Commands::observe(DispatchObserver& observer) {
+    return {impl_->observers, &observer};
 }
 
 bool Commands::areBuffersRead() const {
-    return impl_->observer != nullptr && impl_->observer->readsBuffers();
+    return std::ranges::any_of(*impl_->observers, &DispatchObserver::readsBuffers);
 }
 
 const std::map<std::string, StageTime>& Commands::times() const {

@@ -38,11 +38,12 @@ public:
     // Throws Error(Device) when the device is lost.
     void finish();
 
-    // From now on `observer` (nullptr: nobody) sees every dispatch, and each is finished before the next is recorded.
-    // It must outlive its use.
-    void observe(DispatchObserver* observer);
+    // While the returned Observation lives, `observer` sees every dispatch, and each is finished before the next is
+    // recorded. Of several observers the first registered stands closest to the kernel: its before() comes last and its
+    // after() first.
+    [[nodiscard]] Observation observe(DispatchObserver& observer);
 
-    // Does somebody look at the kernels' buffers?
+    // Does an observer read the kernels' buffers?
     [[nodiscard]] bool areBuffersRead() const;
 
     // Sums over all finished work, by kernel name; empty unless timed.

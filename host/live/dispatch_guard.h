@@ -25,20 +25,14 @@ public:
 
     void before(const gpu::Dispatch& dispatch) override {
         between();
-        if (also_ != nullptr) {
-            also_->before(dispatch);
-        }
         pulse_.begin(dispatch.kernel.name(), true);
     }
     void after(const gpu::Dispatch& dispatch) override {
         pulse_.begin(kBetweenKernels, false);
         prints_.collect(dispatch.kernel.name());
-        if (also_ != nullptr) {
-            also_->after(dispatch);
-        }
     }
 
-    [[nodiscard]] bool readsBuffers() const override { return also_ != nullptr && also_->readsBuffers(); }
+    [[nodiscard]] bool readsBuffers() const override { return false; }
 
     // A piece takes ten or twenty milliseconds on two cores: so long at most does somebody wait who drags the camera.
     [[nodiscard]] std::uint32_t threadsOfPiece() const override { return 1U << 14U; }
@@ -49,13 +43,11 @@ public:
     }
 
     void mayStop(bool may) { mayStop_ = may; }
-    void lookOnToo(gpu::DispatchObserver* also) { also_ = also; } // nullptr: nobody
 
 private:
     Pulse& pulse_;
     DebugPrints& prints_;
     std::function<bool()> isUnwanted_;
-    gpu::DispatchObserver* also_ = nullptr;
     bool mayStop_ = false;
 };
 

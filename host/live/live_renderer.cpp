@@ -1,9 +1,7 @@
 #include "live/live_renderer.h"
 
 #include "base/stopwatch.h"
-#include "parity/observed.h"
-#include "parity/path_recorder.h"
-#include "parity/sides.h"
+#include "parity/inspection_session.h"
 #include "reference/bsdf/custom_twins.h"
 #include "render/integrators/registry.h"
 #include "render/upload/custom_code.h"
@@ -50,46 +48,13 @@ std::map<std::string, gpu::StageTime> difference(const std::map<std::string, gpu
     return times;
 }
 
-// Hands the recorder what it looks at, and nothing else: copies of all buffers take longer than the pass.
-class PathObserver final : public gpu::DispatchObserver {
-public:
-    PathObserver(const gpu::Context& context, const gpu::TexelTables& tables, parity::PathRecorder& recorder)
-        : context_(context), tables_(tables), recorder_(recorder) {}
-
-    void before(const gpu::Dispatch& dispatch) override {
-        constexpr std::array<std::string_view, 5> kSeen{"generate_camera_rays", "start_gather_rays", "shade_surface",
-                                                        "bounce_paths", "trace_whitted"};
-        const std::string& kernel = dispatch.kernel.name();
-        if (hasPaths_ && kernel.starts_with("emit_")) { // photons of ppm: the camera's paths are at their ends
-            throw Interrupted();
-        }
-        hasPaths_ = hasPaths_ || kernel == "generate_camera_rays" || kernel == "trace_whitted";
-        if (std::ranges::find(kSeen, kernel) != kSeen.end()) {
-            seen_.emplace(context_, tables_, dispatch);
-        }
-    }
-    void after(const gpu::Dispatch& /*dispatch*/) override {
-        if (seen_) {
-            recorder_.see(*seen_);
-            seen_.reset();
-        }
-    }
-
-private:
-    const gpu::Context& context_;
-    const gpu::TexelTables& tables_;
-    parity::PathRecorder& recorder_;
-    std::optional<parity::Observed> seen_;
-    bool hasPaths_ = false;
-};
-
 } // namespace
 
 LiveRenderer::LiveRenderer(const gpu::Context& context, ReloadingCompiler& compiler, Pulse& pulse,
                            std::function<bool()> isUnwanted)
     : context_(context), compiler_(compiler), pulse_(pulse), device_(context, compiler, /*timed*/ true),
       prints_(context, device_.tables), guard_(pulse, prints_, std::move(isUnwanted)) {
-    device_.commands.observe(&guard_);
+    observation_ = device_.commands.observe(guard_);
 }
 
 void LiveRenderer::load(const std::filesystem::path& file, const reference::TwinSources& twins) {
@@ -261,37 +226,13 @@ LiveRenderer::Frame LiveRenderer::frame() {
 }
 
 parity::RecordedPath LiveRenderer::inspect(std::uint32_t pixel) {
-    if (const CustomCode* code = reference::codeWithoutTwin(scene_)) {
-        throw reference::noTwin(*code);
-    }
     const Activity activity(pulse_, kBetweenKernels);
     guard_.mayStop(false);
     prints_.listen(false, shared::kNone);
-    Scene scene = scene_;
-    scene.render.passes = 1;
-    if (const auto simplify = render::integratorKind(scene).simplifyForPaths) {
-        simplify(scene.render);
-    }
-    const parity::Sides sides(scene, loaded_->device);
-    parity::PathRecorder recorder(sides, pixel);
-    PathObserver observer(context_, device_.tables, recorder);
-    const std::unique_ptr<Run> run = makeRun(scene, std::nullopt, false);
-    guard_.lookOnToo(&observer);
-    try {
-        run->integrator->prepare();
-        run->integrator->begin();
-        run->film->beginPass(0);
-        run->integrator->renderPass(0);
-    } catch (const Interrupted&) {
-        device_.commands.finish(); // all that was wanted has been seen
-    } catch (const Error&) {
-        guard_.lookOnToo(nullptr);
-        device_.commands.finish();
-        throw;
-    }
-    guard_.lookOnToo(nullptr);
+    loaded_->device.camera = render::cameraRecord(scene_.camera);
+    const parity::RecordedPath path = parity::InspectionSession(device_, scene_, loaded_->device).followPixel(pixel, 0);
     guard_.mayStop(run_ != nullptr && !run_->isPreview);
-    return parity::pathOf(sides, recorder, {false, 0, pixel});
+    return path;
 }
 
 } // namespace hyalite::live

@@ -93,6 +93,7 @@ private:
     render::Device device_;
     DebugPrints prints_;
     DispatchGuard guard_;
+    gpu::Observation observation_; // the guard's
     std::unique_ptr<Loaded> loaded_;
     View view_;
     Scene scene_;

@@ -76,8 +76,8 @@ Json describe(const Scene& scene, const View& view, const fs::path& file) {
         }
     }
     for (const Material& material : scene.materials) {
-        if (const auto* custom = std::get_if<CustomReflectance>(&material.model)) {
-            code.push_back(custom->code->file);
+        if (material.model.code != nullptr) {
+            code.push_back(material.model.code->file);
         }
     }
     if (scene.render.photonMap.customFilter) {

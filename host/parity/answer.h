@@ -1,11 +1,10 @@
-// What one thread of a kernel, or its twin, answered: a value for each field that has one.
+// The answer of one thread of a kernel, or of its twin: a value for each field that it has one for.
 #pragma once
 
-#include "parity/tolerance.h"
+#include "parity/field.h"
 
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <string_view>
 #include <vector>
 
 namespace hyalite::parity {
@@ -13,22 +12,22 @@ namespace hyalite::parity {
 class Answer {
 public:
     struct Value {
-        std::string_view field;
+        const Field* field = nullptr;
         std::uint64_t exact = 0;
         glm::dvec3 real{0}; // of a number the first
         double scale = 0;   // that the error is relative to, at least; beside the tolerance's own
     };
 
-    void exact(std::string_view field, std::uint64_t value) { values_.push_back({field, value, glm::dvec3(0), 0}); }
-    void number(std::string_view field, double value, double scale = 0) {
-        values_.push_back({field, 0, glm::dvec3(value, 0, 0), scale});
+    void exact(const Field& field, std::uint64_t value) { values_.push_back({&field, value, glm::dvec3(0), 0}); }
+    void number(const Field& field, double value, double scale = 0) {
+        values_.push_back({&field, 0, glm::dvec3(value, 0, 0), scale});
     }
-    void vector(std::string_view field, const glm::dvec3& value, double scale = 0) {
-        values_.push_back({field, 0, value, scale});
+    void vector(const Field& field, const glm::dvec3& value, double scale = 0) {
+        values_.push_back({&field, 0, value, scale});
     }
 
     [[nodiscard]] const std::vector<Value>& values() const { return values_; }
-    [[nodiscard]] const Value* find(std::string_view field) const;
+    [[nodiscard]] const Value* find(const Field& field) const; // nullptr: none
 
 private:
     std::vector<Value> values_;
@@ -39,7 +38,7 @@ struct FieldError {
     double ulp = 0;      // in units in the last place of the scale as a float, the largest over the components
     double relative = 0; // over the scale
 };
-[[nodiscard]] FieldError errorOf(const Tolerance& tolerance, const Answer::Value& device, const Answer::Value& twin,
+[[nodiscard]] FieldError errorOf(const Field& field, const Answer::Value& device, const Answer::Value& twin,
                                  double sceneScale);
 
 } // namespace hyalite::parity

@@ -1,33 +1,33 @@
 #include "parity/capture.h"
 
-#include "parity/twins.h"
+#include "parity/checks/checks.h"
 #include "reference/bsdf/custom_twins.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 namespace hyalite::parity {
 
 namespace {
 
 // The scene's own code that a kernel runs and that has no twin; nullptr: none.
-const CustomCode* codeWithoutTwin(const Scene& scene, std::string_view kernel) {
-    constexpr std::array<std::string_view, 4> kTextured{"shade_surface", "trace_whitted", "scatter_photon",
-                                                        "cast_shadow_photons"};
-    constexpr std::array<std::string_view, 4> kReflecting{"shade_surface", "trace_whitted", "scatter_photon",
-                                                          "sample_rough_lights"};
-    if (kernel == "estimate_radiance") {
-        return scene.render.photonMap.customFilter.get();
+const CustomCode* codeWithoutTwin(const Scene& scene, const Check& check) {
+    const CustomCode* filter = scene.render.photonMap.customFilter.get();
+    if ((check.runs & kRunsFilter) != 0 && filter != nullptr) {
+        return filter;
     }
-    const CustomCode* code = nullptr;
-    if (std::ranges::find(kTextured, kernel) != kTextured.end()) {
-        code = reference::textureWithoutTwin(scene);
-    }
-    if (code == nullptr && std::ranges::find(kReflecting, kernel) != kReflecting.end()) {
+    const CustomCode* code = (check.runs & kRunsTextures) != 0 ? reference::textureWithoutTwin(scene) : nullptr;
+    if (code == nullptr && (check.runs & kRunsReflectances) != 0) {
         code = reference::reflectanceWithoutTwin(scene);
     }
     return code;
+}
+
+Comparison comparisonOf(const std::string& kernel, const Check* check, double sceneScale) {
+    std::vector<const Field*> fields;
+    if (check != nullptr) {
+        check->forEachField([&](const Field& field) { fields.push_back(&field); });
+    }
+    return {kernel, fields, sceneScale};
 }
 
 } // namespace
@@ -42,21 +42,30 @@ void Capture::before(const gpu::Dispatch& dispatch) {
 
 void Capture::after(const gpu::Dispatch& dispatch) {
     ++dispatches_;
-    recorder_.see(*seen_);
     const std::string& kernel = dispatch.kernel.name();
+    const Check* check = checkOf(kernel);
+    if (check != nullptr && check->paths.take != nullptr) {
+        check->paths.take(recorder_, *seen_);
+    }
     if (!wanted_.empty() && !wanted_.contains(kernel)) {
         return;
     }
-    Comparison& comparison = stages_.try_emplace(kernel, kernel, sides_.scale()).first->second;
+    auto stage = stages_.find(kernel);
+    if (stage == stages_.end()) {
+        stage = stages_.emplace(kernel, comparisonOf(kernel, check, sides_.scale())).first;
+    }
+    Comparison& comparison = stage->second;
     StageResult& result = comparison.result();
     if (result.dispatches++ == 0) {
         result.order = dispatches_;
     }
     const std::uint64_t failedBefore = result.failed;
-    if (const CustomCode* code = codeWithoutTwin(sides_.scene(), kernel)) {
-        result.withoutTwin = code->file;
-    } else if (const TwinFunction twin = twinOf(kernel)) {
-        twin({sides_, *seen_, comparison, "dispatch " + std::to_string(dispatches_)});
+    if (check != nullptr) {
+        if (const CustomCode* code = codeWithoutTwin(sides_.scene(), *check)) {
+            result.withoutTwin = code->file;
+        } else {
+            check->compare({sides_, *seen_, comparison, "dispatch " + std::to_string(dispatches_)});
+        }
     }
     if (failedBefore == 0 && result.failed > 0) {
         result.firstFailure = dispatches_;

@@ -1,4 +1,4 @@
-// Looks on while a scene renders, and compares every dispatch with its twin as it happens.
+// Observes a scene that renders: compares every dispatch with its twin as it happens, and records the paths.
 #pragma once
 
 #include "parity/comparison.h"

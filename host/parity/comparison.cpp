@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 
 namespace hyalite::parity {
 
@@ -13,11 +14,11 @@ namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-double scaleOf(const Tolerance& tolerance, const glm::dvec3& twin, double atLeast, double sceneScale) {
+double scaleOf(const Field& field, const glm::dvec3& twin, double atLeast, double sceneScale) {
     double scale = std::max(largestComponent(twin), atLeast);
-    if (tolerance.scale == Scale::One) {
+    if (field.scale == Scale::One) {
         scale = std::max(scale, 1.0);
-    } else if (tolerance.scale == Scale::Scene) {
+    } else if (field.scale == Scale::Scene) {
         scale = std::max(scale, sceneScale);
     }
     return std::max(scale, double{std::numeric_limits<float>::min()});
@@ -35,29 +36,28 @@ std::size_t binOf(double relative) {
     return static_cast<std::size_t>(std::clamp(exponent - kLeastExponent + 1, 0, static_cast<int>(kBins) - 1));
 }
 
-std::string textOf(const Tolerance& tolerance, const Answer::Value* value) {
+std::string textOf(const Field& field, const Answer::Value* value) {
     if (value == nullptr) {
         return "none";
     }
-    if (tolerance.measure == Measure::Exact) {
+    if (field.measure == Measure::Exact) {
         return std::to_string(value->exact);
     }
-    return tolerance.measure == Measure::Number ? describe(value->real.x) : describe(value->real);
+    return field.measure == Measure::Number ? describe(value->real.x) : describe(value->real);
 }
 
 } // namespace
 
-const Answer::Value* Answer::find(std::string_view field) const {
-    const auto found = std::ranges::find(values_, field, &Value::field);
+const Answer::Value* Answer::find(const Field& field) const {
+    const auto found = std::ranges::find(values_, &field, &Value::field);
     return found == values_.end() ? nullptr : &*found;
 }
 
-FieldError errorOf(const Tolerance& tolerance, const Answer::Value& device, const Answer::Value& twin,
-                   double sceneScale) {
+FieldError errorOf(const Field& field, const Answer::Value& device, const Answer::Value& twin, double sceneScale) {
     if (!isFinite(device.real) || !isFinite(twin.real)) {
         return device.real == twin.real ? FieldError{} : FieldError{kNoLimit, kNoLimit};
     }
-    const double scale = scaleOf(tolerance, twin.real, twin.scale, sceneScale);
+    const double scale = scaleOf(field, twin.real, twin.scale, sceneScale);
     const double ulp = std::exp2(std::floor(std::log2(scale)) - 23);
     return {largestComponent(device.real - twin.real) / ulp, glm::length(device.real - twin.real) / scale};
 }
@@ -84,42 +84,52 @@ double FieldResult::ulpPercentile(double share) const {
     return double{ulps[index]};
 }
 
-Comparison::Comparison(std::string stage, double sceneScale) : sceneScale_(sceneScale) {
-    for (const Tolerance& tolerance : tolerancesOf(stage)) {
-        result_.fields.emplace_back().tolerance = &tolerance;
+Comparison::Comparison(std::string stage, std::span<const Field* const> fields, double sceneScale)
+    : sceneScale_(sceneScale) {
+    for (const Field* field : fields) {
+        result_.fields.emplace_back().field = field;
     }
     result_.name = std::move(stage);
 }
 
+void Comparison::requireFields(const Answer& answer) const {
+    for (const Answer::Value& value : answer.values()) {
+        if (std::ranges::find(result_.fields, value.field, &FieldResult::field) == result_.fields.end()) {
+            throw std::logic_error("the check of " + result_.name + " does not list its field '" +
+                                   std::string(value.field->name) + '\'');
+        }
+    }
+}
+
 FieldResult* Comparison::firstDifference(const Answer& device, const Answer& twin) {
-    for (FieldResult& field : result_.fields) {
-        const Tolerance& tolerance = *field.tolerance;
-        const Answer::Value* a = device.find(tolerance.field);
-        const Answer::Value* b = twin.find(tolerance.field);
+    for (FieldResult& result : result_.fields) {
+        const Field& field = *result.field;
+        const Answer::Value* a = device.find(field);
+        const Answer::Value* b = twin.find(field);
         if ((a == nullptr) != (b == nullptr)) {
-            return &field;
+            return &result;
         }
         if (a == nullptr) {
             continue;
         }
-        const bool agree = tolerance.measure == Measure::Exact
+        const bool agree = field.measure == Measure::Exact
                                ? a->exact == b->exact
-                               : errorOf(tolerance, *a, *b, sceneScale_).relative <= tolerance.relative;
+                               : errorOf(field, *a, *b, sceneScale_).relative <= field.tolerance->relative;
         if (!agree) {
-            return &field;
+            return &result;
         }
     }
     return nullptr;
 }
 
 bool Comparison::exactFieldsAgree(const Answer& device, const Answer& twin) const {
-    return std::ranges::all_of(result_.fields, [&](const FieldResult& field) {
-        const Answer::Value* a = device.find(field.tolerance->field);
-        const Answer::Value* b = twin.find(field.tolerance->field);
+    return std::ranges::all_of(result_.fields, [&](const FieldResult& result) {
+        const Answer::Value* a = device.find(*result.field);
+        const Answer::Value* b = twin.find(*result.field);
         if (a == nullptr || b == nullptr) {
             return a == b;
         }
-        return field.tolerance->measure != Measure::Exact || a->exact == b->exact;
+        return result.field->measure != Measure::Exact || a->exact == b->exact;
     });
 }
 
@@ -134,19 +144,19 @@ bool Comparison::isExplained(const Answer& device, const Twin& twin, std::uint32
         }
         anyAgrees = true;
         for (std::size_t i = 0; i < hulls.size(); ++i) {
-            if (const Answer::Value* value = answer.find(result_.fields[i].tolerance->field)) {
+            if (const Answer::Value* value = answer.find(*result_.fields[i].field)) {
                 hulls[i].add(value->real);
                 scales[i] = value->scale;
             }
         }
     }
     for (std::size_t i = 0; anyAgrees && i < hulls.size(); ++i) {
-        const Tolerance& tolerance = *result_.fields[i].tolerance;
-        const Answer::Value* value = device.find(tolerance.field);
-        if (value == nullptr || tolerance.measure == Measure::Exact) {
+        const Field& field = *result_.fields[i].field;
+        const Answer::Value* value = device.find(field);
+        if (value == nullptr || field.measure == Measure::Exact) {
             continue;
         }
-        const double allowed = tolerance.relative * scaleOf(tolerance, hulls[i].high(), scales[i], sceneScale_);
+        const double allowed = field.tolerance->relative * scaleOf(field, hulls[i].high(), scales[i], sceneScale_);
         if (!isFinite(value->real) || !hulls[i].holds(value->real, allowed)) {
             return false;
         }
@@ -156,30 +166,30 @@ bool Comparison::isExplained(const Answer& device, const Twin& twin, std::uint32
 
 // Fields behind an exact one that differs say nothing: the two sides went different ways.
 void Comparison::count(const Answer& device, const Answer& twin, const FieldResult* different, bool explained) {
-    for (FieldResult& field : result_.fields) {
-        const Tolerance& tolerance = *field.tolerance;
-        const Answer::Value* a = device.find(tolerance.field);
-        const Answer::Value* b = twin.find(tolerance.field);
+    for (FieldResult& result : result_.fields) {
+        const Field& field = *result.field;
+        const Answer::Value* a = device.find(field);
+        const Answer::Value* b = twin.find(field);
         if (a == nullptr && b == nullptr) {
             continue;
         }
-        ++field.compared;
-        if (&field == different && (explained || a == nullptr || b == nullptr || tolerance.measure == Measure::Exact)) {
-            ++(explained ? field.apart : field.failed);
+        ++result.compared;
+        if (&result == different && (explained || a == nullptr || b == nullptr || field.measure == Measure::Exact)) {
+            ++(explained ? result.apart : result.failed);
             return;
         }
-        if (tolerance.measure == Measure::Exact) {
-            ++field.matched;
+        if (field.measure == Measure::Exact) {
+            ++result.matched;
             continue;
         }
-        const FieldError error = errorOf(tolerance, *a, *b, sceneScale_);
-        const bool within = error.relative <= tolerance.relative;
+        const FieldError error = errorOf(field, *a, *b, sceneScale_);
+        const bool within = error.relative <= field.tolerance->relative;
         if (!within && explained) {
-            ++field.apart;
+            ++result.apart;
             continue;
         }
-        ++(within ? field.matched : field.failed);
-        field.addError(error);
+        ++(within ? result.matched : result.failed);
+        result.addError(error);
     }
 }
 
@@ -203,6 +213,8 @@ Outcome Comparison::compare(const std::string& dispatch, std::size_t i, const An
                             const Inputs& inputs) {
     ++result_.elements;
     const Answer exact = twin(Nudge(0));
+    requireFields(device);
+    requireFields(exact);
     FieldResult* different = firstDifference(device, exact);
     if (different == nullptr) {
         count(device, exact, nullptr, false);
@@ -217,6 +229,8 @@ Outcome Comparison::compare(const std::string& dispatch, std::size_t i, const An
 Outcome Comparison::compareExact(const std::string& dispatch, std::size_t i, const Answer& device,
                                  const Answer& expected) {
     ++result_.elements;
+    requireFields(device);
+    requireFields(expected);
     FieldResult* different = firstDifference(device, expected);
     if (different == nullptr) {
         count(device, expected, nullptr, false);
@@ -229,26 +243,26 @@ Outcome Comparison::conclude(const std::string& dispatch, std::size_t i, const A
                              FieldResult& different, bool explained, const Inputs& inputs) {
     count(device, expected, &different, explained);
     ++(explained ? result_.apart : result_.failed);
-    const Tolerance& tolerance = *different.tolerance;
-    const Answer::Value* a = device.find(tolerance.field);
-    const Answer::Value* b = expected.find(tolerance.field);
+    const Field& field = *different.field;
+    const Answer::Value* a = device.find(field);
+    const Answer::Value* b = expected.find(field);
     double error = kNoLimit;
-    if (a != nullptr && b != nullptr && tolerance.measure != Measure::Exact && tolerance.relative > 0) {
-        error = errorOf(tolerance, *a, *b, sceneScale_).relative / tolerance.relative;
+    if (a != nullptr && b != nullptr && field.measure != Measure::Exact && field.tolerance->relative > 0) {
+        error = errorOf(field, *a, *b, sceneScale_).relative / field.tolerance->relative;
     }
     Offender offender;
     offender.where = dispatch + ", thread " + std::to_string(i);
-    offender.field = tolerance.field;
+    offender.field = field.name;
     offender.error = error;
-    offender.cause = explained ? (tolerance.nearby.empty() ? "rounding" : tolerance.nearby) : "";
+    offender.cause = explained ? (field.nearby.empty() ? "rounding" : field.nearby) : "";
     keep(different, std::move(offender), [&](Offender& kept) {
         kept.inputs = inputs();
-        for (const FieldResult& field : result_.fields) {
-            const Answer::Value* onDevice = device.find(field.tolerance->field);
-            const Answer::Value* onTwin = expected.find(field.tolerance->field);
+        for (const FieldResult& result : result_.fields) {
+            const Answer::Value* onDevice = device.find(*result.field);
+            const Answer::Value* onTwin = expected.find(*result.field);
             if (onDevice != nullptr || onTwin != nullptr) {
                 kept.answers.push_back(
-                    {field.tolerance->field, textOf(*field.tolerance, onDevice), textOf(*field.tolerance, onTwin)});
+                    {result.field->name, textOf(*result.field, onDevice), textOf(*result.field, onTwin)});
             }
         }
     });

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,9 @@ inline constexpr std::size_t kUlpsKept = 1U << 20U;
 inline constexpr std::uint64_t kFailuresExplained = 64; // that explanations are sought for with all nudges
 inline constexpr int kLeastExponent = -30;              // of the histogram's first bin
 inline constexpr std::size_t kBins = 32;
+
+// Of the elements of a stage, at most this share may differ by what a few roundings of the input explain.
+inline constexpr double kMostApart = 0.02;
 
 using OffenderInputs = std::vector<std::pair<std::string, std::string>>; // name and value
 
@@ -36,7 +40,7 @@ struct Offender {
 };
 
 struct FieldResult {
-    const Tolerance* tolerance = nullptr;
+    const Field* field = nullptr;
     std::uint64_t compared = 0;
     std::uint64_t matched = 0; // equal or within tolerance
     std::uint64_t apart = 0;   // explained by a few roundings of the input
@@ -78,10 +82,11 @@ public:
     using Twin = std::function<Answer(Nudge)>;
     using Inputs = std::function<OffenderInputs()>;
 
-    Comparison(std::string stage, double sceneScale);
+    // `fields`: all that answers may have; references to them are kept.
+    Comparison(std::string stage, std::span<const Field* const> fields, double sceneScale);
 
     // Compares the answer of thread `i` of a dispatch with the twin's; where they differ, asks the twin about inputs
-    // nearby.
+    // nearby. Throws std::logic_error where an answer has a field that is not among those compared.
     Outcome compare(const std::string& dispatch, std::size_t i, const Answer& device, const Twin& twin,
                     const Inputs& inputs);
     // The same where no rounding of the input can matter.
@@ -92,6 +97,7 @@ public:
 private:
     [[nodiscard]] FieldResult* firstDifference(const Answer& device, const Answer& twin);
     [[nodiscard]] bool isExplained(const Answer& device, const Twin& twin, std::uint32_t nudges) const;
+    void requireFields(const Answer& answer) const;
     Outcome conclude(const std::string& dispatch, std::size_t i, const Answer& device, const Answer& expected,
                      FieldResult& different, bool explained, const Inputs& inputs);
     void count(const Answer& device, const Answer& twin, const FieldResult* different, bool explained);

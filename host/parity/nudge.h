@@ -1,8 +1,6 @@
 // Inputs moved by a few roundings: what the twin says of them tells whether a difference is one of rounding.
 #pragma once
 
-#include "parity/tolerance.h"
-
 #include "shaders/shared/random.h"
 
 #include <algorithm>
@@ -11,6 +9,10 @@
 #include <glm/glm.hpp>
 
 namespace hyalite::parity {
+
+// Roundings of the input that may explain a difference, in units of 2^-24 of the largest coordinate involved: a kernel
+// takes some dozens of operations from its input to a decision.
+inline constexpr double kNudge = 16;
 
 // Inputs nearby that the twin is asked about where the two sides differ; and so many more, where it takes long to meet
 // the same sliver of a triangle again.

@@ -1,4 +1,4 @@
-// One dispatch as it was seen: its arguments, and the memory they name before and after.
+// One observed dispatch: its arguments, and the memory that they name before and after it.
 #pragma once
 
 #include "gpu/buffer.h"
@@ -14,6 +14,8 @@ namespace hyalite::parity {
 
 class Observed {
 public:
+    static constexpr std::size_t kWhole = SIZE_MAX / 1024; // elements: as many as the buffer has
+
     // Copies all buffers that the arguments name. To be made before the dispatch.
     Observed(const gpu::Context& context, const gpu::TexelTables& tables, const gpu::Dispatch& dispatch);
 
@@ -36,6 +38,15 @@ public:
     [[nodiscard]] std::span<const T> after(const DeviceArray& array, std::size_t count) const {
         return typed<T>(context_.memoryAt(array.address), count);
     }
+    // How many elements the dispatch was for: a number that the host gave, or the first of an array on the device,
+    // where an earlier kernel counted them (indirect dispatch).
+    [[nodiscard]] static std::uint32_t count(std::uint32_t given) { return given; }
+    template <class DeviceArray>
+    [[nodiscard]] std::uint32_t count(const DeviceArray& array) const {
+        const auto counted = before<std::uint32_t>(array, 1);
+        return counted.empty() ? 0 : counted.front();
+    }
+
     // A table of texels, from element `first` on.
     template <class T>
     [[nodiscard]] std::span<const T> table(std::uint32_t binding, std::size_t first, std::size_t count) const {

@@ -2,12 +2,11 @@
 
 #include "image/flip.h"
 #include "image/metrics.h"
-#include "parity/capture.h"
 #include "reference/bsdf/custom_twins.h"
 #include "render/integrators/registry.h"
 #include "render/renderer.h"
+#include "render/upload/custom_code.h"
 #include "render/wavefront/device.h"
-#include "scene/model/render_seed.h"
 
 #include <algorithm>
 #include <utility>
@@ -35,29 +34,28 @@ PictureResult comparePictures(Image device, Image twin) {
     return result;
 }
 
-// One pass of a scene, all paths of which are written down.
-class Recording {
+// A scene on a device of its own, to look at single paths.
+class Uploaded {
 public:
-    Recording(const gpu::Context& context, const gpu::ShaderCompiler& compiler, Scene scene, std::uint32_t pass)
-        : scene_(std::move(scene)) {
-        scene_.render.passes = 1;
-        render::RenderOptions options;
-        options.firstPass = pass;
-        options.onUpload = [&](render::Device& device, const render::DeviceScene& deviceScene) {
-            sides_.emplace(scene_, deviceScene);
-            capture_.emplace(context, device.tables, *sides_, std::set<std::string>{"nothing"});
-            device.commands.observe(&*capture_);
-        };
-        static_cast<void>(render::render(context, compiler, scene_, options));
+    Uploaded(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const Scene& scene)
+        : compiler_(compiler) {
+        compiler_.replace(render::customCode(scene));
+        device_.emplace(context, compiler_, false);
+        deviceScene_ = render::uploadScene(context, device_->tables, scene);
+        session_.emplace(*device_, scene, deviceScene_);
     }
 
-    [[nodiscard]] RecordedPath path(const PathKey& key) const { return pathOf(*sides_, capture_->recorder(), key); }
-    [[nodiscard]] const auto& photonPasses() const { return capture_->recorder().photonPasses(); }
+    Uploaded(const Uploaded&) = delete;
+    Uploaded& operator=(const Uploaded&) = delete;
+    ~Uploaded() = default;
+
+    [[nodiscard]] InspectionSession& session() { return *session_; }
 
 private:
-    Scene scene_;
-    std::optional<Sides> sides_;
-    std::optional<Capture> capture_;
+    gpu::ShaderCompiler compiler_;
+    std::optional<render::Device> device_;
+    render::DeviceScene deviceScene_;
+    std::optional<InspectionSession> session_;
 };
 
 } // namespace
@@ -83,22 +81,21 @@ const StageResult* Result::firstFailure() const {
 
 Result compareSides(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const Scene& scene,
                     const Options& options) {
-    std::optional<Sides> sides;
-    std::optional<Capture> capture;
+    std::optional<InspectionSession> session;
+    gpu::Observation observation;
     render::RenderOptions renderOptions;
     renderOptions.onUpload = [&](render::Device& device, const render::DeviceScene& deviceScene) {
-        sides.emplace(scene, deviceScene);
-        capture.emplace(context, device.tables, *sides, options.stages);
-        device.commands.observe(&*capture);
+        session.emplace(device, scene, deviceScene);
+        observation = session->watch(options.stages);
     };
     render::RenderResult rendered = render::render(context, compiler, scene, renderOptions);
     Result result;
-    result.stages = capture->finish();
+    result.stages = session->takeStages();
     if (options.stages.empty() && reference::codeWithoutTwin(scene) == nullptr) {
-        result.paths = comparePaths(*sides, capture->recorder());
+        result.paths = session->comparePaths();
         const std::uint32_t pixels = scene.camera.resolution.x * scene.camera.resolution.y;
         for (std::uint32_t pixel = 0; pixels <= kMostShown && pixel < pixels; ++pixel) {
-            result.shown.push_back(pathOf(*sides, capture->recorder(), {false, 0, pixel}));
+            result.shown.push_back(session->path({false, 0, pixel}));
         }
         result.picture = comparePictures(std::move(rendered.image.picture), render::renderByReference(scene).picture);
     }
@@ -107,29 +104,12 @@ Result compareSides(const gpu::Context& context, const gpu::ShaderCompiler& comp
 
 RecordedPath inspectPixel(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const Scene& scene,
                           std::uint32_t pass, std::uint32_t pixel) {
-    const Recording recording(context, compiler, scene, pass);
-    return recording.path({false, pass, pixel});
+    return Uploaded(context, compiler, scene).session().followPixel(pixel, pass);
 }
 
 RecordedPath inspectPhoton(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const Scene& scene,
                            std::uint32_t pass, const PhotonChoice& photon) {
-    const Recording recording(context, compiler, scene, pass);
-    const std::uint32_t purpose = photon.isCaustic ? shared::kCausticPhotons : shared::kGlobalPhotons;
-    const std::uint32_t photonPass = render::integratorKind(scene).keepsPhotons ? 0 : pass;
-    const std::uint32_t sequence = shared::photonSequence(renderSeed(scene.render), purpose, photonPass);
-    const auto& sent = recording.photonPasses();
-    const auto found = sent.find(sequence);
-    if (found == sent.end()) {
-        throw Error(ExitCode::WrongUsage,
-                    photon.isCaustic ? "no caustic photons are sent in this render"
-                                     : "this integrator sends no photons",
-                    photon.isCaustic ? "leave --caustic out" : "ask for a pixel with --pixel X,Y");
-    }
-    if (photon.number >= found->second.pass.count) {
-        throw Error(ExitCode::WrongUsage, "there is no photon " + std::to_string(photon.number) + " among " +
-                                              std::to_string(found->second.pass.count));
-    }
-    return recording.path({true, sequence, photon.number});
+    return Uploaded(context, compiler, scene).session().followPhoton(photon, pass);
 }
 
 void shrinkToTestSize(Scene& scene) {

@@ -7,6 +7,7 @@
 #include "image/error_map.h"
 #include "image/image.h"
 #include "parity/comparison.h"
+#include "parity/inspection_session.h"
 #include "parity/path_comparison.h"
 #include "scene/model/scene.h"
 
@@ -56,10 +57,6 @@ struct Result {
 [[nodiscard]] RecordedPath inspectPixel(const gpu::Context& context, const gpu::ShaderCompiler& compiler,
                                         const Scene& scene, std::uint32_t pass, std::uint32_t pixel);
 
-struct PhotonChoice {
-    std::uint32_t number = 0;
-    bool isCaustic = false; // one of those aimed at what is specular, else of the global map
-};
 // The path of a photon in a pass. Throws Error(WrongUsage) where there is none of that kind and number.
 [[nodiscard]] RecordedPath inspectPhoton(const gpu::Context& context, const gpu::ShaderCompiler& compiler,
                                          const Scene& scene, std::uint32_t pass, const PhotonChoice& photon);

@@ -1,9 +1,10 @@
 // Whole paths of both sides, vertex by vertex: where they part first, and why.
 #pragma once
 
+#include "parity/comparison.h"
 #include "parity/path_recorder.h"
 #include "parity/step_comparison.h"
-#include "parity/twin_paths.h"
+#include "parity/twin_path.h"
 
 #include <map>
 #include <string>

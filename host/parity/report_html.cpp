@@ -2,6 +2,7 @@
 #include "parity/report.h"
 
 #include "image/png.h"
+#include "parity/checks/checks.h"
 #include "scene/import/base64.h"
 
 #include "parity/report_template.h"
@@ -152,8 +153,10 @@ Json namesOf(const Scene& scene) {
 
 Json tolerances() {
     Json list = Json::array();
-    for (const Tolerance& tolerance : allTolerances()) {
-        list.push_back({tolerance.stage, tolerance.field, tolerance.relative, tolerance.reason});
+    for (const Check* check : allChecks()) {
+        check->forEachField([&](const Field& field) {
+            list.push_back({check->kernel, field.name, field.tolerance->relative, field.tolerance->reason});
+        });
     }
     return list;
 }

@@ -26,13 +26,13 @@ Json jsonOf(const Offender& offender) {
 }
 
 Json jsonOf(const FieldResult& field) {
-    Json object{{"name", field.tolerance->field},
+    Json object{{"name", field.field->name},
                 {"compared", field.compared},
                 {"matched", field.matched},
                 {"apart", field.apart},
                 {"failed", field.failed}};
-    if (field.tolerance->measure != Measure::Exact) {
-        object["tolerance"] = field.tolerance->relative;
+    if (field.field->measure != Measure::Exact) {
+        object["tolerance"] = field.field->tolerance->relative;
         object["largest_relative"] = field.largestRelative;
         object["largest_ulp"] = field.largestUlp;
         object["ulp_99_9"] = field.ulpPercentile(0.999);

@@ -1,7 +1,8 @@
 #include "parity/sides.h"
 
 #include "base/error.h"
-#include "parity/nudge.h"
+#include "reference/lights/receiver.h"
+#include "reference/textures/texture.h"
 
 #include "shaders/shared/limits.h"
 #include "shaders/shared/scene_records.h"
@@ -23,34 +24,6 @@ double scaleOf(const Scene& scene, const reference::World& world) {
         scale = std::max({scale, largestComponent(bounds.low), largestComponent(bounds.high)});
     }
     return scale;
-}
-
-// The scene's code is known by its number among the materials that have some.
-CustomReflectance customOf(const shared::Lobe& lobe, const Scene& scene) {
-    auto number = static_cast<std::uint32_t>(lobe.extinction.y);
-    for (const Material& material : scene.materials) {
-        const auto* custom = std::get_if<CustomReflectance>(&material.model);
-        if (custom != nullptr && number-- == 0) {
-            return {custom->code, glm::dvec4(dvec3(lobe.color), double{lobe.extinction.x}), 1};
-        }
-    }
-    throw Error(ExitCode::Device, "a lobe names code that the scene does not have");
-}
-
-// What the kernel's lobe says, as a material that says the same.
-MaterialModel modelOf(const shared::Lobe& lobe, const Scene& scene) {
-    switch (lobe.type) {
-    case shared::kMaterialCustom:
-        return customOf(lobe, scene);
-    case shared::kMaterialDielectric:
-        return Dielectric{.ior = 1 / double{lobe.eta}, .roughness = 1}; // ior: not asked for again
-    case shared::kMaterialConductor:
-        return Conductor{dvec3(lobe.color), dvec3(lobe.extinction), 1};
-    case shared::kMaterialMirror:
-        return Mirror{dvec3(lobe.color)};
-    default:
-        return MetallicRoughness{dvec3(lobe.color), 1, 1}; // all metal: F0 is the base colour
-    }
 }
 
 } // namespace
@@ -107,27 +80,43 @@ reference::PhotonPath Sides::toTwin(const shared::PhotonPath& path) const {
             .medium = material(path.medium)};
 }
 
-reference::VisiblePoint Sides::toTwin(const shared::VisiblePoint& x) const {
+MaterialModel Sides::materialAt(std::uint32_t number, const dvec3& position, const glm::dvec2& uv, Nudge nudge) const {
+    reference::Surface surface{};
+    surface.material = material(number);
+    surface.position = nudge.point(position, scale_);
+    surface.uv = {nudge.number(uv.x), nudge.number(uv.y)};
+    return reference::texturedModel(world_, surface);
+}
+
+reference::VisiblePoint Sides::toTwin(const shared::VisiblePoint& x, Nudge nudge) const {
     const std::uint32_t left = (x.from & ~shared::kRayInside) - 1U; // wraps where it is on nothing
     const bool isObject = left < objectOf_.size() && leafOf_[left] == shared::kNone;
     return {.position = dvec3(x.position),
-            .shadowOrigin = dvec3(x.position), // the device keeps the point that is moved off the surface alone
+            .shadowOrigin = dvec3(x.position),
             .normal = dvec3(x.normal),
             .geometricNormal = glm::normalize(unpackDirection(x.geometricNormal, 16)),
-            .f = dvec3(x.f),
+            .wo = glm::normalize(dvec3(x.wo)),
+            .beta = dvec3(x.beta) / double{x.probability},
+            .material = x.material == shared::kNone
+                            ? std::nullopt
+                            : std::optional(materialAt(x.material, dvec3(x.onSurface), glm::dvec2(x.uv), nudge)),
             .depth = x.depth,
             .samplerSeed = x.samplerSeed,
-            .coated = x.coat != 0,
             .quad = isObject ? std::get_if<Quad>(&world_.objects[objectOf_[left]].shape) : nullptr};
 }
 
-reference::RoughPoint Sides::toTwin(const shared::RoughPoint& x) const {
+bool Sides::reflects(const shared::VisiblePoint& x) const {
+    return glm::vec3(reference::receiverAt(toTwin(x)).f) != glm::vec3(0);
+}
+
+reference::RoughPoint Sides::toTwin(const shared::RoughPoint& x, Nudge nudge) const {
     reference::RoughPoint twin;
     twin.surface.position = dvec3(x.position);
     twin.surface.geometricNormal = glm::normalize(dvec3(x.geometricNormal));
     twin.surface.normal = glm::normalize(dvec3(x.normal));
     twin.surface.offset = double{x.error};
-    twin.lobe = {.model = modelOf(x.lobe, scene_), .eta = double{x.lobe.eta}, .alpha = double{x.lobe.alpha}};
+    const MaterialModel model = materialAt(x.material, dvec3(x.position), glm::dvec2(x.uv), nudge);
+    twin.lobe = reference::lobeOf(model, (x.from & shared::kRayInside) == 0).value();
     twin.wo = glm::normalize(dvec3(x.wo));
     twin.beta = dvec3(x.beta);
     twin.depth = x.depth;

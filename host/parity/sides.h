@@ -2,6 +2,7 @@
 // tables that the upload left.
 #pragma once
 
+#include "parity/nudge.h"
 #include "reference/integrators/shading.h"
 #include "reference/lights/rough_light.h"
 #include "reference/photons/photons.h"
@@ -27,8 +28,10 @@ public:
     [[nodiscard]] std::optional<reference::Hit> toTwin(const shared::Hit& hit) const;
     [[nodiscard]] reference::CameraPath toTwin(const shared::CameraPath& path) const;
     [[nodiscard]] reference::PhotonPath toTwin(const shared::PhotonPath& path) const;
-    [[nodiscard]] reference::VisiblePoint toTwin(const shared::VisiblePoint& x) const;
-    [[nodiscard]] reference::RoughPoint toTwin(const shared::RoughPoint& x) const;
+    [[nodiscard]] reference::VisiblePoint toTwin(const shared::VisiblePoint& x, Nudge nudge = Nudge(0)) const;
+    [[nodiscard]] reference::RoughPoint toTwin(const shared::RoughPoint& x, Nudge nudge = Nudge(0)) const;
+    // Whether light that falls on the point reaches the pixel at all.
+    [[nodiscard]] bool reflects(const shared::VisiblePoint& x) const;
     // A stored photon; with a number of 0, which the device's does not have.
     [[nodiscard]] reference::Photon toTwin(const shared::Photon& photon) const;
 
@@ -50,6 +53,9 @@ public:
                                      const std::optional<reference::Hit>& twin) const;
 
 private:
+    // The material of a surface with its textures, looked up where the nudge moves the point to.
+    [[nodiscard]] MaterialModel materialAt(std::uint32_t number, const glm::dvec3& position, const glm::dvec2& uv,
+                                           Nudge nudge) const;
     [[nodiscard]] const Material* material(std::uint32_t number) const;
 
     const Scene& scene_;

@@ -2,6 +2,7 @@
 
 #include "parity/hull.h"
 #include "parity/nudge.h"
+#include "parity/tolerances.h"
 
 #include <algorithm>
 
@@ -26,9 +27,9 @@ public:
             return "";
         }
         if (what == "object") {
-            return "edge, silhouette, or surfaces in one place";
+            return std::string(kEdge);
         }
-        return what == "choice" ? "coin at its threshold" : "grazing or ill-conditioned";
+        return std::string(what == "choice" ? kCoin : kGrazing);
     }
 
 private:

@@ -2,8 +2,8 @@
 // before does not count.
 #pragma once
 
-#include "parity/path_step.h"
 #include "parity/sides.h"
+#include "parity/twin_path.h"
 #include "parity/vertex.h"
 
 #include <optional>

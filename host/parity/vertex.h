@@ -1,6 +1,8 @@
 // One vertex of a path, as either side sees it.
 #pragma once
 
+#include "parity/sides.h"
+
 #include "shaders/shared/limits.h"
 #include "shaders/shared/path_records.h"
 
@@ -55,5 +57,11 @@ struct PathKey {
 };
 
 [[nodiscard]] std::string describeChoice(const Vertex& vertex);
+
+// What the segment of the vertex met there.
+void setSurface(Vertex& vertex, const Sides& sides, const reference::Hit& hit, const reference::Surface& surface);
+
+// kReflected or kTransmitted, for a ray that goes on from this surface.
+[[nodiscard]] std::uint32_t wayOn(const reference::Surface& surface, const glm::dvec3& direction);
 
 } // namespace hyalite::parity

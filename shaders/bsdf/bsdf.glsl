@@ -1,95 +1,105 @@
 // What the surface of a material does with light: a diffuse part, a lobe that reflects and perhaps transmits, or both.
-// Lobes are smooth, then they have no density, or rough by GGX microfacets [Walter07]. `wo` and `wi` are unit and point
-// away from the surface, wo to the side that Surface.normal is on. Rough lobes let each ray meet one facet only: what
-// would be reflected from facet to facet is lost, more the rougher they are.
+// The contract of a model, which is a file of this folder and a row of shared/materials.h:
+//   NAMEFlags            which of kBsdf… it has
+//   NAMEAlbedo           diffuse part: share of the light reflected, but for what lies over it on the way in and out
+//   NAMEOverDiffuse      what lies over the diffuse part lets through at an angle, NAMEMeanOverDiffuse its mean over the
+//                        cosine-weighted hemisphere
+//   NAMELobe             how it reflects or refracts, seen from one side
+//   NAMEReflectance      share of the light that a facet of the lobe reflects
+// Sampling, evaluation and densities follow from these here and in microfacets.glsl.
 #ifndef HYALITE_BSDF_GLSL
 #define HYALITE_BSDF_GLSL
 #include "shared/limits.h"
-#include "shared/path_records.h"
-#include "bsdf/custom_reflectance.glsl"
-#include "bsdf/dielectric.glsl"
-#include "bsdf/diffuse.glsl"
-#include "bsdf/ggx.glsl"
+#include "bsdf/microfacets.glsl"
+#include "bsdf/parts.glsl"
+#include "lib/sampling.glsl"
 #include "lib/specialization.glsl"
 
-struct DiffusePart {
-    vec3 share; // of the light reflected, but for the coat's factors on the way in and out
-    float coat; // see diffuseFactor
-};
+#define HYALITE_BSDF_MODELS
+#include "shared/materials.h"
+#undef HYALITE_BSDF_MODELS
 
-vec3 reflectedAtNormal(MaterialRecord material) {
-    return mix(vec3(0.04), material.color, material.metallic);
-}
+// ---- The dispatch
 
-DiffusePart diffusePart(MaterialRecord material) {
-    if (isMaterial(material.type, kMaterialMetallicRoughness)) {
-        vec3 entering = (1.0 - material.metallic) * (1.0 - reflectedAtNormal(material));
-        return DiffusePart(kCoatNormalization * entering * material.color, 1.0);
+uint bsdfFlags(MaterialRecord material) {
+#define ROW(Name, name)                                                                                                \
+    if (isMaterial(material.type, kMaterial##Name)) {                                                                  \
+        return name##Flags(material);                                                                                  \
     }
-    return DiffusePart(isMaterial(material.type, kMaterialDiffuse) ? material.color : vec3(0.0), 0.0);
+    HYALITE_MODELS(ROW)
+#undef ROW
+    return 0u;
 }
+
+vec3 diffuseShare(MaterialRecord material) {
+#define ROW(Name, name)                                                                                                \
+    if (isMaterial(material.type, kMaterial##Name)) {                                                                  \
+        return name##Albedo(material);                                                                                 \
+    }
+    HYALITE_DIFFUSE_MODELS(ROW)
+#undef ROW
+    return vec3(0.0);
+}
+
+float overDiffuse(MaterialRecord material, float cosine) {
+#define ROW(Name, name)                                                                                                \
+    if (isMaterial(material.type, kMaterial##Name)) {                                                                  \
+        return name##OverDiffuse(material, cosine);                                                                    \
+    }
+    HYALITE_DIFFUSE_MODELS(ROW)
+#undef ROW
+    return 1.0;
+}
+
+float meanOverDiffuse(MaterialRecord material) {
+#define ROW(Name, name)                                                                                                \
+    if (isMaterial(material.type, kMaterial##Name)) {                                                                  \
+        return name##MeanOverDiffuse(material);                                                                        \
+    }
+    HYALITE_DIFFUSE_MODELS(ROW)
+#undef ROW
+    return 1.0;
+}
+
+// `front` as in Surface.
+Lobe lobeOf(MaterialRecord material, bool front) {
+#define ROW(Name, name)                                                                                                \
+    if (isMaterial(material.type, kMaterial##Name)) {                                                                  \
+        return name##Lobe(material, front);                                                                            \
+    }
+    HYALITE_LOBE_MODELS(ROW)
+#undef ROW
+    return reflectingLobe(material, 0.0);
+}
+
+// Share of the light that a facet reflects.
+vec3 lobeReflectance(Lobe lobe, float cosine) {
+#define ROW(Name, name)                                                                                                \
+    if (isMaterial(lobe.material.type, kMaterial##Name)) {                                                             \
+        return name##Reflectance(lobe, cosine);                                                                        \
+    }
+    HYALITE_LOBE_MODELS(ROW)
+#undef ROW
+    return vec3(0.0);
+}
+
+// ---- What follows
 
 bool hasDiffusePart(MaterialRecord material) {
-    return isMaterial(material.type, kMaterialDiffuse) ||
-           (isMaterial(material.type, kMaterialMetallicRoughness) &&
-            (1.0 - material.metallic) * maxComponent(material.color) > 0.0);
+    return (bsdfFlags(material) & kBsdfDiffuse) != 0u;
 }
 
 bool hasLobe(MaterialRecord material) {
-    return material.type != kMaterialAbsorber && material.type != kMaterialDiffuse;
+    return (bsdfFlags(material) & (kBsdfGlossy | kBsdfSpecular)) != 0u;
 }
 
-// The lobe seen from one side: `front` as in Surface.
-Lobe lobeOf(MaterialRecord material, bool front) {
-    Lobe lobe = Lobe(material.type, material.color, material.extinction, 1.0, 0.0);
-    if (isMaterial(material.type, kMaterialDielectric)) {
-        lobe.eta = front ? 1.0 / material.ior : material.ior;
-    } else if (isMaterial(material.type, kMaterialMetallicRoughness)) {
-        lobe.color = reflectedAtNormal(material);
-    }
-    float alpha = material.roughness * material.roughness;
-    bool bends = material.type != kMaterialDielectric || abs(material.ior - 1.0) >= kSmoothIndex;
-    lobe.alpha = sceneHasRoughLobes() && alpha >= kSmoothAlpha && bends ? alpha : 0.0;
-    return lobe;
-}
-
-// Fresnel's equations for the complex index eta + i k, unpolarised.
-vec3 fresnelConductor(float cosine, vec3 eta, vec3 k) {
-    float cos2 = cosine * cosine;
-    float sin2 = 1.0 - cos2;
-    vec3 real = eta * eta - k * k - sin2; // of the squared index less sin^2, whose root is a + i b
-    vec3 sum = sqrt(real * real + 4.0 * eta * eta * k * k);
-    vec3 a = sqrt(max(vec3(0.0), 0.5 * (sum + real)));
-    vec3 s = sum + cos2;
-    vec3 t = 2.0 * cosine * a;
-    vec3 perpendicular = (s - t) / max(s + t, vec3(kTiny));
-    vec3 p = cos2 * sum + sin2 * sin2;
-    vec3 q = t * sin2;
-    vec3 parallel = perpendicular * ((p - q) / max(p + q, vec3(kTiny)));
-    return 0.5 * (perpendicular + parallel);
-}
-
-// Share of the light that a lobe without transmission reflects off a facet.
-vec3 lobeReflectance(Lobe lobe, float cosine) {
-    if (isMaterial(lobe.type, kMaterialConductor)) {
-        return fresnelConductor(cosine, lobe.color, lobe.extinction);
-    }
-    if (isMaterial(lobe.type, kMaterialMetallicRoughness)) {
-        return lobe.color + (1.0 - lobe.color) * schlickPower(cosine);
-    }
-    if (isMaterial(lobe.type, kMaterialCustom)) {
-        vec4 parameters = vec4(lobe.color, lobe.extinction.x);
-        return clamp(customReflectance(uint(lobe.extinction.y), cosine, parameters), 0.0, 1.0);
-    }
-    return lobe.color;
-}
-
-float meanComponent(vec3 v) {
-    return (v.x + v.y + v.z) / 3.0;
+// A path may be reflected there or refracted, and there is no other direction.
+bool isSmoothGlass(Lobe lobe) {
+    return lobe.transmits && lobe.alpha == 0.0;
 }
 
 // With which probability a path takes the lobe where it takes one of lobe and diffuse part.
-float lobeProbability(MaterialRecord material, Lobe lobe, DiffusePart diffuse, float cosOut) {
+float lobeProbability(MaterialRecord material, Lobe lobe, float cosOut) {
     if (!hasDiffusePart(material)) {
         return 1.0;
     }
@@ -97,135 +107,73 @@ float lobeProbability(MaterialRecord material, Lobe lobe, DiffusePart diffuse, f
         return 0.0;
     }
     float reflected_ = meanComponent(lobeReflectance(lobe, cosOut));
-    return reflected_ / (reflected_ + meanComponent(diffuse.share) * diffuseFactor(diffuse.coat, cosOut));
+    return reflected_ / (reflected_ + meanComponent(diffuseShare(material)) * overDiffuse(material, cosOut));
 }
 
 // Share of the light that leaves the surface again, some of which rough lobes lose.
-vec3 leavingShare(MaterialRecord material, Lobe lobe, DiffusePart diffuse, float cosOut) {
+vec3 leavingShare(MaterialRecord material, Lobe lobe, float cosOut) {
+    vec3 diffuse = diffuseShare(material) * (overDiffuse(material, cosOut) * meanOverDiffuse(material));
     if (!hasLobe(material)) {
-        return diffuse.share;
+        return diffuse;
     }
-    return (material.type == kMaterialDielectric ? vec3(1.0) : lobeReflectance(lobe, cosOut)) +
-           diffuse.share * (diffuseFactor(diffuse.coat, cosOut) / kCoatNormalization);
+    return (lobe.transmits ? vec3(1.0) : lobeReflectance(lobe, cosOut)) + diffuse;
 }
 
-struct BsdfSample {
-    vec3 direction; // unit, away from the surface
-    vec3 weight;    // BSDF times cosine over density; 0: absorbed
-    float pdfW;     // density [1/sr]; 0: smooth, there is no other direction
-    bool through;   // to the side where wo is not
-};
-
-const BsdfSample kAbsorbed = BsdfSample(vec3(0.0), vec3(0.0), 0.0, false);
-
-// Radiance over the squared index is what refraction conserves: camera paths carry its factor, photons carry flux.
-float refractionFactor(Lobe lobe, bool radiance) {
-    return radiance ? lobe.eta * lobe.eta : 1.0;
-}
-
-BsdfSample sampleSmooth(Lobe lobe, vec3 normal, vec3 wo, float choice, bool radiance) {
-    float cosOut = clamp(dot(wo, normal), 0.0, 1.0); // a smoothed normal may be turned away
-    vec3 reflection = reflected(-wo, normal);
-    if (isMaterial(lobe.type, kMaterialDielectric)) {
-        Interface i = meetInterface(cosOut, lobe.eta);
-        if (choice >= i.reflectance) {
-            return BsdfSample(refracted(-wo, normal, cosOut, i), vec3(refractionFactor(lobe, radiance)), 0.0, true);
-        }
-        return BsdfSample(reflection, vec3(1.0), 0.0, false);
-    }
-    return BsdfSample(reflection, lobeReflectance(lobe, cosOut), 0.0, false);
-}
-
-// Solid angle of facet normals per solid angle of transmitted directions [Walter07]; the cosine on the far side, where
-// the light is transmitted to, is negative.
-float refractionJacobian(float eta, float cosOut, float cosIn) {
-    float sum = eta * cosOut + cosIn;
-    return abs(cosIn) / (sum * sum);
-}
-
-// Directions that end up on the wrong side of the true surface, which a smoothed normal may cause, are absorbed.
-BsdfSample sampleRough(Lobe lobe, vec3 normal, vec3 geometricNormal, vec3 wo, vec2 u, float choice, bool radiance) {
-    vec3 o = intoFrame(wo, normal);
-    if (o.z <= 0.0) {
-        return kAbsorbed;
-    }
-    vec3 m = sampleVisibleNormal(o, lobe.alpha, u);
-    float cosMicro = clamp(dot(o, m), 0.0, 1.0);
-    vec3 i = reflected(-o, m);
-    BsdfSample s = BsdfSample(vec3(0.0), vec3(1.0), 1.0, false);
-    if (isMaterial(lobe.type, kMaterialDielectric)) {
-        Interface facet = meetInterface(cosMicro, lobe.eta);
-        s.through = choice >= facet.reflectance;
-        s.pdfW = s.through ? 1.0 - facet.reflectance : facet.reflectance;
-        i = s.through ? refracted(-o, m, cosMicro, facet) : i;
-    } else {
-        s.weight = lobeReflectance(lobe, cosMicro);
-    }
-    s.direction = normalize(fromLocal(i, normal));
-    bool below = dot(s.direction, geometricNormal) < 0.0;
-    if (cosMicro == 0.0 || (s.through ? i.z >= 0.0 : i.z <= 0.0) || below != s.through) {
-        return kAbsorbed;
-    }
-    float outward = smithLambda(o, lobe.alpha);
-    float inward = smithLambda(i, lobe.alpha);
-    float visible = ggxDistribution(m, lobe.alpha) / ((1.0 + outward) * o.z); // density of m over its cosine to wo
-    if (s.through) {
-        // On different sides of the surface masking is uncorrelated [Walter07]
-        s.weight *= refractionFactor(lobe, radiance) / (1.0 + inward);
-        s.pdfW *= visible * cosMicro * refractionJacobian(lobe.eta, cosMicro, dot(i, m));
-    } else {
-        s.weight *= (1.0 + outward) / (1.0 + outward + inward);
-        s.pdfW *= 0.25 * visible;
-    }
+// By the cosine, of paths that take the diffuse part with this probability. A direction on the wrong side of the true surface, which a smoothed normal may cause, is not absorbed.
+BsdfSample sampleDiffuse(MaterialRecord material, vec3 normal, float cosOut, vec2 u, float probability) {
+    BsdfSample s;
+    s.direction = cosineHemisphere(u, normal);
+    float cosine = dot(s.direction, normal);
+    s.weight = diffuseShare(material) * (overDiffuse(material, cosOut) * overDiffuse(material, cosine) / probability);
+    s.pdfW = probability * cosine * kInvPi;
+    s.through = false;
     return s;
 }
 
-BsdfSample sampleLobe(Lobe lobe, vec3 normal, vec3 geometricNormal, vec3 wo, vec2 u, float choice, bool radiance) {
-    if (sceneHasRoughLobes() && lobe.alpha > 0.0) {
-        return sampleRough(lobe, normal, geometricNormal, wo, u, choice, radiance);
+BsdfValue evaluateDiffuse(MaterialRecord material, vec3 normal, vec3 wo, vec3 wi) {
+    float cosOut = dot(wo, normal);
+    float cosine = dot(wi, normal);
+    if (cosOut <= 0.0 || cosine <= 0.0) {
+        return kNoValue;
     }
-    return sampleSmooth(lobe, normal, wo, choice, radiance);
+    vec3 albedo = diffuseShare(material) * (overDiffuse(material, cosOut) * overDiffuse(material, cosine));
+    return BsdfValue(albedo * (kInvPi * cosine), cosine * kInvPi, cosOut * kInvPi);
 }
 
-struct BsdfValue {
-    vec3 fCos;  // BSDF for radiance times the cosine of wi [1/sr]
-    float pdfW; // density with which sampleLobe takes wi [1/sr]
-};
+// The whole BSDF: a path that takes one of the parts, and what all of them make of a pair of directions. A smooth lobe
+// has no value and no density.
+BsdfSample sampleBsdf(MaterialRecord material, bool front, vec3 normal, vec3 geometricNormal, vec3 wo, vec2 u,
+                      float choice, uint transport) {
+    Lobe lobe = lobeOf(material, front);
+    float cosOut = clamp(dot(wo, normal), 0.0, 1.0);
+    float probability = bsdfFlags(material) == 0u ? 0.0 : lobeProbability(material, lobe, cosOut);
+    if (choice >= probability) {
+        return sampleDiffuse(material, normal, cosOut, u, 1.0 - probability);
+    }
+    BsdfSample s = sampleLobe(lobe, normal, geometricNormal, wo, u, choice / probability, transport);
+    s.weight /= probability;
+    s.pdfW *= probability;
+    return s;
+}
 
-// Of a rough lobe.
-BsdfValue evaluateLobe(Lobe lobe, vec3 normal, vec3 geometricNormal, vec3 wo, vec3 wi) {
-    BsdfValue nothing = BsdfValue(vec3(0.0), 0.0);
-    vec3 o = intoFrame(wo, normal);
-    vec3 i = intoFrame(wi, normal);
-    bool through = i.z < 0.0;
-    bool below = dot(wi, geometricNormal) < 0.0;
-    if (o.z <= 0.0 || i.z == 0.0 || below != through || (through && lobe.type != kMaterialDielectric)) {
-        return nothing;
+BsdfValue evaluateBsdf(MaterialRecord material, bool front, vec3 normal, vec3 geometricNormal, vec3 wo, vec3 wi,
+                       uint transport) {
+    Lobe lobe = lobeOf(material, front);
+    float cosOut = clamp(dot(wo, normal), 0.0, 1.0);
+    float cosIn = clamp(dot(wi, normal), 0.0, 1.0);
+    BsdfValue value = kNoValue;
+    if (hasDiffusePart(material)) {
+        BsdfValue diffuse = evaluateDiffuse(material, normal, wo, wi);
+        value.fCos = diffuse.fCos;
+        value.pdfW = (1.0 - lobeProbability(material, lobe, cosOut)) * diffuse.pdfW;
+        value.reversePdfW = (1.0 - lobeProbability(material, lobe, cosIn)) * diffuse.reversePdfW;
     }
-    vec3 m = normalize(through ? lobe.eta * o + i : o + i);
-    m = m.z < 0.0 ? -m : m;
-    float cosMicro = min(dot(o, m), 1.0);
-    float cosIn = dot(i, m);
-    if (cosMicro <= 0.0 || (through ? cosIn >= 0.0 : cosIn <= 0.0)) {
-        return nothing;
+    if (lobe.alpha > 0.0) {
+        BsdfValue rough = evaluateLobe(lobe, normal, geometricNormal, wo, wi, transport);
+        value.fCos += rough.fCos;
+        value.pdfW += lobeProbability(material, lobe, cosOut) * rough.pdfW;
+        value.reversePdfW += lobeProbability(material, lobe, cosIn) * rough.reversePdfW;
     }
-    vec3 weight = vec3(1.0);
-    float pdfW = ggxDistribution(m, lobe.alpha) / ((1.0 + smithLambda(o, lobe.alpha)) * o.z);
-    if (lobe.type == kMaterialDielectric) {
-        float reflectance = meetInterface(cosMicro, lobe.eta).reflectance;
-        pdfW *= through ? 1.0 - reflectance : reflectance;
-    } else {
-        weight = lobeReflectance(lobe, cosMicro);
-    }
-    float inward = smithLambda(i, lobe.alpha);
-    if (through) {
-        pdfW *= cosMicro * refractionJacobian(lobe.eta, cosMicro, cosIn);
-        weight *= refractionFactor(lobe, true) / (1.0 + inward);
-    } else {
-        pdfW *= 0.25;
-        float outward = smithLambda(o, lobe.alpha);
-        weight *= (1.0 + outward) / (1.0 + outward + inward);
-    }
-    return BsdfValue(weight * pdfW, pdfW);
+    return value;
 }
 #endif

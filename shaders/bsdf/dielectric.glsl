@@ -1,35 +1,23 @@
-// Reflection and refraction at a smooth surface. Directions d travel with the light or the ray, towards the surface;
-// n is unit and on the side d comes from.
+// Glass: what Fresnel's equations do not reflect is refracted.
 #ifndef HYALITE_DIELECTRIC_GLSL
 #define HYALITE_DIELECTRIC_GLSL
-#include "shared/language.h"
+#include "bsdf/interface.glsl"
+#include "bsdf/parts.glsl"
 
-// R = I - 2 (N . I) N [Whitted80]
-vec3 reflected(vec3 d, vec3 n) {
-    return d - 2.0 * dot(n, d) * n;
+// Media of much the same index refract by nothing, however rough their boundary.
+float dielectricAlpha(MaterialRecord material) {
+    return abs(material.ior - 1.0) >= kSmoothIndex ? facetAlpha(material.roughness) : 0.0;
 }
 
-struct Interface {
-    float reflectance; // F, unpolarised; 1 where all is reflected
-    float cosTransmitted;
-    float eta;         // index of the side d comes from over that of the other side
-};
-
-// Fresnel's equations for cosIncident = -d . n >= 0.
-Interface meetInterface(float cosIncident, float eta) {
-    // 1 - eta^2 (1 - cos^2), written so that it keeps its digits near grazing incidence
-    float cosSquared = 1.0 - eta * eta * (1.0 - cosIncident) * (1.0 + cosIncident);
-    if (cosSquared <= 0.0) {
-        return Interface(1.0, 0.0, eta);
-    }
-    float cosTransmitted = sqrt(cosSquared);
-    float s = (eta * cosIncident - cosTransmitted) / (eta * cosIncident + cosTransmitted);
-    float p = (eta * cosTransmitted - cosIncident) / (eta * cosTransmitted + cosIncident);
-    return Interface(0.5 * (s * s + p * p), cosTransmitted, eta);
+uint dielectricFlags(MaterialRecord material) {
+    return kBsdfTransmitting | (dielectricAlpha(material) > 0.0 ? kBsdfGlossy : kBsdfSpecular);
 }
 
-// Snell's law; not for total internal reflection.
-vec3 refracted(vec3 d, vec3 n, float cosIncident, Interface i) {
-    return normalize(i.eta * d + (i.eta * cosIncident - i.cosTransmitted) * n);
+Lobe dielectricLobe(MaterialRecord material, bool front) {
+    return Lobe(material, front ? 1.0 / material.ior : material.ior, dielectricAlpha(material), true);
+}
+
+vec3 dielectricReflectance(Lobe lobe, float cosine) {
+    return vec3(meetInterface(cosine, lobe.eta).reflectance);
 }
 #endif

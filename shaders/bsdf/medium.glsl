@@ -11,7 +11,7 @@ vec3 transmittance(MaterialArray materials, uint medium, float distance) {
     if (medium == kNone) {
         return vec3(1.0);
     }
-    vec3 depth = materials.at[medium].extinction * distance;
+    vec3 depth = materials.at[medium].absorption * distance;
     return vec3(exponential(-depth.x), exponential(-depth.y), exponential(-depth.z));
 }
 #endif

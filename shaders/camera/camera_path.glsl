@@ -42,21 +42,22 @@ vec3 emissionOf(Surface s, LightArray lights, bool every, Ray ray, float distanc
 
 // ---- What it leaves, and what goes on
 
-// `probability`: of the diffuse part among the ways that the path might have taken.
-VisiblePoint visibleAt(Surface s, DiffusePart diffuse, CameraPath path, uint depth, float cosOut, float probability) {
-    vec3 f = path.beta * diffuse.share * (diffuseFactor(diffuse.coat, cosOut) * kInvPi / probability);
-    return VisiblePoint(s.position + s.error * s.geometricNormal, depth, s.normal, path.samplerSeed, f, path.pixel,
-                        leaving(s, false), packUnitVector(s.geometricNormal, 16u), diffuse.coat);
+// `probability`: of the diffuse part among the directions that the path might have taken.
+VisiblePoint visibleAt(Surface s, vec3 wo, CameraPath path, uint depth, float probability) {
+    return VisiblePoint(s.position + s.error * s.geometricNormal, depth, s.normal, path.samplerSeed, s.position,
+                        leaving(s, false), wo, packUnitVector(s.geometricNormal, 16u), path.beta, path.pixel, s.uv,
+                        s.material, probability);
 }
 
 VisiblePoint noVisiblePoint(CameraPath path) {
-    return VisiblePoint(vec3(0.0), 0u, vec3(0.0), path.samplerSeed, vec3(0.0), path.pixel, 0u, 0u, 0.0);
+    return VisiblePoint(vec3(0.0), 0u, vec3(0.0), path.samplerSeed, vec3(0.0), 0u, vec3(0.0), 0u, vec3(0.0), path.pixel,
+                        vec2(0.0), kNone, 1.0);
 }
 
 // `result`: where the light is to be added that it gets.
-RoughPoint roughAt(Surface s, Lobe lobe, vec3 wo, CameraPath path, uint depth, uint result) {
+RoughPoint roughAt(Surface s, vec3 wo, CameraPath path, uint depth, uint result) {
     return RoughPoint(s.position, s.error, s.normal, depth, s.geometricNormal, path.samplerSeed, wo, leaving(s, false),
-                      path.beta, result, lobe);
+                      path.beta, result, s.uv, s.material);
 }
 
 // The path behind the surface, with random numbers of its own if it is one of two.

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Makes visible points of the marked photons: the radiance estimate there, with f = 1, is the irradiance [Christensen99].
+// Makes visible points of the marked photons: the radiance estimate there, of no material, is the irradiance [Christensen99].
 #include "shared/kernel_arguments.h"
 #include "photons/photon.glsl"
 #include "lib/thread.glsl"
@@ -19,5 +19,6 @@ void main() {
     }
     vec3 normal = normalize(unpackDirection(photon.surface, kNormalBits));
     args.visiblePoints.at[i] =
-        VisiblePoint(photon.position, 1u, normal, 0u, vec3(1.0), i, 0u, packUnitVector(normal, 16u), 0.0);
+        VisiblePoint(photon.position, 1u, normal, 0u, photon.position, 0u, normal, packUnitVector(normal, 16u),
+                     vec3(1.0), i, vec2(0.0), kNone, 1.0);
 }

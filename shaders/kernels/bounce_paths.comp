@@ -3,7 +3,7 @@
 // Path tracing goes on from diffuse surfaces, by the cosine. Roulette ends paths in proportion to what they still carry
 // [Arvo90].
 #include "shared/kernel_arguments.h"
-#include "bsdf/diffuse.glsl"
+#include "lights/receiver.glsl"
 #include "lib/sampling.glsl"
 #include "lib/thread.glsl"
 
@@ -26,7 +26,8 @@ void main() {
         return; // a smoothed normal leans over the edge of the surface: this way leads into it
     }
     float cosine = max(0.0, dot(direction, x.normal));
-    vec3 beta = x.f * (kPi * diffuseFactor(x.coat, cosine)); // f cos / (cos / pi)
+    Receiver receiver = receiverAt(x, args.materials);
+    vec3 beta = receiver.f * (kPi * incidentFactor(receiver, cosine)); // f cos / (cos / pi)
     float survival = min(1.0, maxComponent(beta));
     if (sampleUnit(numbers, pathRoulette(vertex)).x >= survival) {
         return;

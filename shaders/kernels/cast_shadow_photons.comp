@@ -25,7 +25,7 @@ void main() {
     Ray ray = args.rays.at[i];
     PhotonPath path = args.paths.at[i];
     Surface s = surfaceAt(ray, hit, args.normals, args.instances);
-    if (s.material != kNone && hasDiffusePart(texturedMaterial(args.materials.at[s.material], s))) {
+    if (s.material != kNone && hasDiffusePart(texturedMaterial(args.materials.at[s.material], s.position, s.uv))) {
         args.photons.at[args.firstPhoton + i] =
             Photon(s.position, packUnitVector(-ray.direction, kDirectionBits), vec3(0.0),
                    packSurface(s.normal, path.kind, path.light));

@@ -5,7 +5,7 @@
 // k - 1 photons in a disc that the k-th ends estimate the density without bias; docs/photon-mapping.md has the proof.
 #include "shared/kernel_arguments.h"
 #include "photons/custom_filter.glsl"
-#include "bsdf/diffuse.glsl"
+#include "lights/receiver.glsl"
 #include "photons/nearest.glsl"
 #include "lib/thread.glsl"
 
@@ -33,19 +33,19 @@ vec4 photonTexel(uint found, uint texel) {
     return texelFetch(photonTable, int(2u * (args.map.base + heapPhoton[found]) + texel));
 }
 
-// Flux of one of the photons found that the coat lets in, or 0 if it is too far off the tangent plane, with this normal,
-// to lie on the same surface.
-vec3 fluxInDisc(uint found, VisiblePoint x, vec3 normal, float radius) {
+// Flux of one of the photons found that what lies over the diffuse part lets in, or 0 if it is too far off the tangent
+// plane, with this normal, to lie on the same surface.
+vec3 fluxInDisc(uint found, VisiblePoint x, Receiver receiver, vec3 normal, float radius) {
     vec4 place = photonTexel(found, 0u);
     if (abs(dot(place.xyz - x.position, normal)) > kPlaneDistance * radius) {
         return vec3(0.0);
     }
     vec3 power = photonTexel(found, 1u).xyz;
-    if (x.coat == 0.0) {
+    if (!receiver.isLayered) {
         return power;
     }
     vec3 direction = normalize(unpackDirection(floatBitsToUint(place.w), kDirectionBits));
-    return power * diffuseFactor(x.coat, dot(direction, x.normal));
+    return power * incidentFactor(receiver, dot(direction, x.normal));
 }
 
 // 1 at the centre.
@@ -86,7 +86,7 @@ float meanWeight() {
 // Differential checking, after [Jensen95]: lets a disc grow through the photons by a quarter of their number at a time.
 // Where the density, the sum of the channels, has risen or fallen without a turn by more than maxChange of what it was
 // when it began to, an edge has been met, and the disc from which on it rose or fell is the answer.
-Disc stopAtEdge(Disc whole, VisiblePoint x, vec3 normal) {
+Disc stopAtEdge(Disc whole, VisiblePoint x, Receiver receiver, vec3 normal) {
     Disc start = whole;    // from which on the density rises or falls
     Disc previous = whole; // the one before
     float startDensity = 0.0, previousDensity = 0.0, flux = 0.0;
@@ -113,7 +113,7 @@ Disc stopAtEdge(Disc whole, VisiblePoint x, vec3 normal) {
             previousDensity = density;
             next = i + (i + 3u) / 4u;
         }
-        vec3 power = fluxInDisc(i, x, normal, whole.radius);
+        vec3 power = fluxInDisc(i, x, receiver, normal, whole.radius);
         flux += power.x + power.y + power.z;
     }
     return whole;
@@ -130,6 +130,7 @@ void main() {
         args.radii.at[i] = 0.0;
         return;
     }
+    Receiver receiver = receiverAt(x, args.materials);
     NearestQuery query =
         NearestQuery(x.position, x.normal, args.radius, args.nearest, args.kinds, x.depth, args.maxDepth);
     findNearest(args.map, query);
@@ -141,13 +142,13 @@ void main() {
     }
     vec3 normal = normalize(unpackDirection(x.geometricNormal, 16u));
     if (args.maxChange > 0.0) {
-        disc = stopAtEdge(disc, x, normal);
+        disc = stopAtEdge(disc, x, receiver, normal);
     }
     float radius2 = disc.radius * disc.radius;
     vec3 flux = vec3(0.0);
     for (uint j = 0u; j < disc.count; ++j) {
-        flux += weight(heapDistance2[j], radius2) * fluxInDisc(j, x, normal, disc.radius);
+        flux += weight(heapDistance2[j], radius2) * fluxInDisc(j, x, receiver, normal, disc.radius);
     }
-    args.gathered.at[i] = x.f * flux / (meanWeight() * kPi * radius2);
+    args.gathered.at[i] = receiver.f * flux / (meanWeight() * kPi * radius2);
     args.radii.at[i] = disc.radius;
 }

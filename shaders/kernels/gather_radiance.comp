@@ -3,7 +3,7 @@
 // Radiance estimate at every visible point: the flux of the photons in a disc about it, over the disc's area
 // [Jensen01, ch. 7], here with a fixed radius and without what of the disc lies beyond the edges of the surface.
 #include "shared/kernel_arguments.h"
-#include "bsdf/diffuse.glsl"
+#include "lights/receiver.glsl"
 #include "photons/disc.glsl"
 #include "photons/grid.glsl"
 #include "photons/photon.glsl"
@@ -21,8 +21,8 @@ uint nearPhotons(vec3 position, uint first, uint count) {
     return near;
 }
 
-// Flux of the photon that the coat lets in, if it counts for x, else 0. It is within the radius.
-vec3 photonFlux(VisiblePoint x, vec3 normal, uint photon) {
+// Flux of the photon that what lies over the diffuse part lets in, if it counts for x, else 0. It is within the radius.
+vec3 photonFlux(VisiblePoint x, Receiver receiver, vec3 normal, uint photon) {
     vec4 place = texelFetch(photonTable, int(2u * photon));
     vec3 offset = place.xyz - x.position;
     if (abs(dot(offset, normal)) > kPlaneDistance * args.radius) {
@@ -34,10 +34,10 @@ vec3 photonFlux(VisiblePoint x, vec3 normal, uint photon) {
     if (!onSameSide(x.normal, direction, surface) || photonLength(surface) + x.depth > args.maxDepth) {
         return vec3(0.0);
     }
-    if (x.coat == 0.0) {
+    if (!receiver.isLayered) {
         return rest.xyz;
     }
-    return rest.xyz * diffuseFactor(x.coat, dot(normalize(unpackDirection(direction, kDirectionBits)), x.normal));
+    return rest.xyz * incidentFactor(receiver, dot(normalize(unpackDirection(direction, kDirectionBits)), x.normal));
 }
 
 void main() {
@@ -46,9 +46,11 @@ void main() {
         return;
     }
     VisiblePoint x = args.visiblePoints.at[i];
+    Receiver receiver;
     vec3 flux = vec3(0.0);
     if (x.depth != 0u) {
         vec3 normal = normalize(unpackDirection(x.geometricNormal, 16u));
+        receiver = receiverAt(x, args.materials);
         CellWalk walk = walkCells(x.position, args.radius, args.radius * discExtent(normal), args.grid);
         uint photon = 0u, end = 0u;
         // Row by row: neighbouring threads keep step, for their discs and so their rows are much the same. One photon
@@ -58,7 +60,7 @@ void main() {
                 uint chunk = min(end - photon, 32u);
                 uint near = nearPhotons(x.position, photon, chunk);
                 while (near != 0u) {
-                    flux += photonFlux(x, normal, photon + findLSB(near));
+                    flux += photonFlux(x, receiver, normal, photon + findLSB(near));
                     near &= near - 1u;
                 }
                 photon += chunk;
@@ -66,5 +68,5 @@ void main() {
         }
     }
     bool found = maxComponent(flux) > 0.0;
-    args.gathered.at[i] = found ? x.f * flux / discArea(x.position, x.from, args.radius) : vec3(0.0);
+    args.gathered.at[i] = found ? receiver.f * flux / discArea(x.position, x.from, args.radius) : vec3(0.0);
 }

@@ -3,7 +3,7 @@
 // What a gathering ray finds at the diffuse surface where it ends: the irradiance of the nearest record there
 // [Christensen99], reflected.
 #include "shared/kernel_arguments.h"
-#include "bsdf/diffuse.glsl"
+#include "lights/receiver.glsl"
 #include "photons/nearest.glsl"
 #include "lib/thread.glsl"
 
@@ -21,7 +21,8 @@ void main() {
     findNearest(args.map, NearestQuery(y.position, y.normal, args.radius, 1u, 0xfu, 0u, kMaxDepth));
     if (heapCount > 0u) {
         vec4 record = texelFetch(photonTable, int(2u * (args.map.base + heapPhoton[0]) + 1u));
+        Receiver receiver = receiverAt(y, args.materials);
         // Where that irradiance comes from is not known: from everywhere alike
-        args.gathered.at[i] += (args.scale * meanDiffuseFactor(y.coat)) * y.f * record.xyz;
+        args.gathered.at[i] += (args.scale * meanOverDiffuse(receiver.material)) * receiver.f * record.xyz;
     }
 }

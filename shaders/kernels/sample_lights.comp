@@ -19,7 +19,8 @@ void main() {
     }
     Sampler s = lightSampler(x.samplerSeed, args.light, args.pass);
     LightRecord light = args.lights.at[lightAsked(args.lights, args.lightCount, args.light, s, x.depth)];
-    DirectLight toLight = directLight(light, args.light == kNone ? light.pmf : 1.0, x, args.bounceDepth != 0u, s);
+    DirectLight toLight = directLight(light, args.light == kNone ? light.pmf : 1.0, x, receiverAt(x, args.materials),
+                                       args.bounceDepth != 0u, s);
     if (isWorthAsking(toLight)) {
         args.shadowRays.at[i] = toLight.shadow;
         args.contributions.at[i] = toLight.contribution;

@@ -17,9 +17,11 @@ void main() {
     if (x.depth == 0u) {
         return;
     }
+    MaterialRecord material = texturedMaterial(args.materials.at[x.material], x.position, x.uv);
+    Lobe lobe = lobeOf(material, (x.from & kRayInside) == 0u);
     Sampler s = lightSampler(x.samplerSeed, args.light, args.pass);
     LightRecord light = args.lights.at[lightAsked(args.lights, args.lightCount, args.light, s, x.depth)];
-    DirectLight toLight = directLight(light, args.light == kNone ? light.pmf : 1.0, x, s);
+    DirectLight toLight = directLight(light, args.light == kNone ? light.pmf : 1.0, x, lobe, s);
     if (isWorthAsking(toLight) && traceScene(args.rootNode, toLight.shadow, true).object == kNone) {
         args.direct.at[x.result] += toLight.contribution;
     }

@@ -40,23 +40,19 @@ vec3 scatter(uint i, Surface s, MaterialRecord material, Lobe lobe, vec3 wo, Pho
     Sampler numbers = photonSampler(args.sequence, path.photon);
     vec2 roulette = sampleUnit(numbers, photonScatter(args.depth - 1u));
     vec2 u = sampleUnit(numbers, photonBounce(args.depth - 1u));
-    DiffusePart diffuse = diffusePart(material);
     float cosIn = clamp(dot(wo, s.normal), 0.0, 1.0);
-    float probability = lobeProbability(material, lobe, diffuse, cosIn);
+    float probability = lobeProbability(material, lobe, cosIn);
     BsdfSample next;
     uint kind;
     if (roulette.y < probability) {
-        next = sampleLobe(lobe, s.normal, s.geometricNormal, wo, u, roulette.y, false);
+        next = sampleLobe(lobe, s.normal, s.geometricNormal, wo, u, roulette.y, kFlux);
         next.weight /= probability;
         kind = path.kind == kPhotonDirect ? kPhotonCaustic : path.kind; // until it meets a diffuse surface
     } else {
         if (!isWanted(kPhotonIndirect)) {
             return vec3(0.0);
         }
-        next.direction = cosineHemisphere(u, s.normal);
-        next.weight = diffuse.share * (diffuseFactor(diffuse.coat, cosIn) *
-                                       diffuseFactor(diffuse.coat, dot(next.direction, s.normal)) / (1.0 - probability));
-        next.through = false;
+        next = sampleDiffuse(material, s.normal, cosIn, u, 1.0 - probability);
         kind = kPhotonIndirect;
     }
     float survival = min(1.0, maxComponent(next.weight));
@@ -98,7 +94,7 @@ void main() {
         account(path, vec3(0.0), started, vec3(0.0), vec3(0.0));
         return;
     }
-    MaterialRecord material = texturedMaterial(args.materials.at[s.material], s);
+    MaterialRecord material = texturedMaterial(args.materials.at[s.material], s.position, s.uv);
     bool diffuse = hasDiffusePart(material);
     Lobe lobe = lobeOf(material, s.front);
     if (diffuse && isWanted(path.kind)) {
@@ -109,7 +105,7 @@ void main() {
     vec3 cutOff = vec3(0.0);
     if (args.depth + 1u >= args.maxDepth) {
         float cosIn = clamp(-dot(ray.direction, s.normal), 0.0, 1.0);
-        cutOff = path.power * leavingShare(material, lobe, diffusePart(material), cosIn);
+        cutOff = path.power * leavingShare(material, lobe, cosIn);
     } else if (hasLobe(material) || isWanted(kPhotonIndirect)) {
         onward = scatter(i, s, material, lobe, -ray.direction, path);
     }

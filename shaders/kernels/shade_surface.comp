@@ -56,7 +56,7 @@ void takeOneWay(uint i, Surface s, Hit hit, vec3 wo, Lobe lobe, CameraPath path)
     Interface glass = meetInterface(cosOut, lobe.eta);
     float probability = reflectionProbability(glass, s, hit, wo, cosOut);
     bool reflects = chosen(path) < probability;
-    BsdfSample next = sampleSmooth(lobe, s.normal, wo, reflects ? 0.0 : 1.0, true);
+    BsdfSample next = sampleSmooth(lobe, s.normal, wo, reflects ? 0.0 : 1.0, kRadiance);
     if (probability != glass.reflectance) {
         next.weight *= reflects ? glass.reflectance / probability : (1.0 - glass.reflectance) / (1.0 - probability);
     }
@@ -70,25 +70,24 @@ void leaveByLobe(uint i, Surface s, vec3 wo, Lobe lobe, CameraPath path, float c
     if (sceneHasRoughLobes() && lobe.alpha > 0.0) {
         u = sampleUnit(pathSampler(path.samplerSeed, args.pass), cameraBounce(args.depth - 1u));
         if (args.depth < args.maxDepth) {
-            args.roughPoints.at[i] = roughAt(s, lobe, wo, path, args.depth, path.pixel);
+            args.roughPoints.at[i] = roughAt(s, wo, path, args.depth, path.pixel);
         }
     }
-    follow(i, s, sampleLobe(lobe, s.normal, s.geometricNormal, wo, u, choice, true), path);
+    follow(i, s, sampleLobe(lobe, s.normal, s.geometricNormal, wo, u, choice, kRadiance), path);
 }
 
 // Where the material has a diffuse part and a lobe, the path takes one of them.
 void scatter(uint i, Surface s, Hit hit, MaterialRecord material, vec3 wo, CameraPath path, inout VisiblePoint visible) {
     Lobe lobe = lobeOf(material, s.front);
-    if (isMaterial(material.type, kMaterialDielectric) && lobe.alpha == 0.0) {
+    if (isSmoothGlass(lobe)) {
         takeOneWay(i, s, hit, wo, lobe, path);
         return;
     }
-    DiffusePart diffuse = diffusePart(material);
     float cosOut = clamp(dot(wo, s.normal), 0.0, 1.0);
     float choice = chosen(path);
-    float probability = lobeProbability(material, lobe, diffuse, cosOut);
+    float probability = lobeProbability(material, lobe, cosOut);
     if (choice >= probability) {
-        visible = visibleAt(s, diffuse, path, args.depth, cosOut, 1.0 - probability);
+        visible = visibleAt(s, wo, path, args.depth, 1.0 - probability);
     } else {
         path.beta /= probability;
         leaveByLobe(i, s, wo, lobe, path, choice);
@@ -117,7 +116,7 @@ void main() {
         path.beta *= transmittance(args.materials, path.medium, hit.t);
         emitted = emissionOf(s, args.lights, false, ray, hit.t, path);
         if (s.material != kNone) {
-            MaterialRecord material = texturedMaterial(args.materials.at[s.material], s);
+            MaterialRecord material = texturedMaterial(args.materials.at[s.material], s.position, s.uv);
             scatter(i, s, hit, material, -ray.direction, path, visible);
         }
     }

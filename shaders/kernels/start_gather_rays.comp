@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Final gathering: one ray from each visible point, with the density cos / pi that its surface weighs light by.
 #include "shared/kernel_arguments.h"
-#include "bsdf/diffuse.glsl"
+#include "lights/receiver.glsl"
 #include "lib/sampling.glsl"
 #include "lib/thread.glsl"
 
@@ -24,7 +24,8 @@ void main() {
         return; // a smoothed normal leans over the edge of the surface: no light comes from within
     }
     args.rays.at[i] = Ray(x.position, kInfinity, direction, x.from);
-    vec3 beta = x.f * (kPi * diffuseFactor(x.coat, dot(direction, x.normal))); // f cos / (cos / pi)
+    Receiver receiver = receiverAt(x, args.materials);
+    vec3 beta = receiver.f * (kPi * incidentFactor(receiver, dot(direction, x.normal))); // f cos / (cos / pi)
     args.paths.at[i] = CameraPath(beta, x.pixel, sequence, kNone, 0.0);
     args.alive.at[i] = 1u;
 }

@@ -19,6 +19,7 @@
 layout(push_constant, scalar) uniform Push { TraceWhittedArguments args; };
 
 uint children = 0u; // next rays of this path, so far
+Receiver receiver;  // at its visible point
 
 void follow(uint i, Surface s, BsdfSample next, CameraPath path, uint samplerSeed) {
     path = pathAfter(s, next, path, samplerSeed);
@@ -34,11 +35,11 @@ void follow(uint i, Surface s, BsdfSample next, CameraPath path, uint samplerSee
 void splitAtGlass(uint i, Surface s, vec3 wo, Lobe lobe, CameraPath path) {
     float cosOut = clamp(dot(wo, s.normal), 0.0, 1.0);
     float reflectance = meetInterface(cosOut, lobe.eta).reflectance;
-    BsdfSample next = sampleSmooth(lobe, s.normal, wo, 0.0, true);
+    BsdfSample next = sampleSmooth(lobe, s.normal, wo, 0.0, kRadiance);
     next.weight *= reflectance;
     follow(i, s, next, path, deriveSequence(path.samplerSeed, 1u));
     if (reflectance < 1.0) {
-        next = sampleSmooth(lobe, s.normal, wo, 1.0, true);
+        next = sampleSmooth(lobe, s.normal, wo, 1.0, kRadiance);
         next.weight *= 1.0 - reflectance;
         follow(i, s, next, path, deriveSequence(path.samplerSeed, 2u));
     }
@@ -53,24 +54,24 @@ void leaveByLobe(uint i, Surface s, vec3 wo, Lobe lobe, CameraPath path, uint re
         u = sampleUnit(numbers, cameraBounce(args.depth - 1u));
         choice = sampleUnit(numbers, cameraScatter(args.depth - 1u)).x;
         if (args.depth < args.maxDepth) {
-            args.roughPoints.at[i] = roughAt(s, lobe, wo, path, args.depth, result);
+            args.roughPoints.at[i] = roughAt(s, wo, path, args.depth, result);
         }
     }
-    follow(i, s, sampleLobe(lobe, s.normal, s.geometricNormal, wo, u, choice, true), path, path.samplerSeed);
+    follow(i, s, sampleLobe(lobe, s.normal, s.geometricNormal, wo, u, choice, kRadiance), path, path.samplerSeed);
 }
 
 void scatter(uint i, Surface s, MaterialRecord material, vec3 wo, CameraPath path, uint result,
              inout VisiblePoint visible) {
     Lobe lobe = lobeOf(material, s.front);
-    if (isMaterial(material.type, kMaterialDielectric) && lobe.alpha == 0.0) {
+    if (isSmoothGlass(lobe)) {
         splitAtGlass(i, s, wo, lobe, path);
         return;
     }
-    DiffusePart diffuse = diffusePart(material);
     float cosOut = clamp(dot(wo, s.normal), 0.0, 1.0);
-    float probability = lobeProbability(material, lobe, diffuse, cosOut);
+    float probability = lobeProbability(material, lobe, cosOut);
     if (probability < 1.0) {
-        visible = visibleAt(s, diffuse, path, args.depth, cosOut, 1.0);
+        visible = visibleAt(s, wo, path, args.depth, 1.0);
+        receiver = receiverOf(visible, material);
     }
     if (probability > 0.0) {
         leaveByLobe(i, s, wo, lobe, path, result);
@@ -81,7 +82,7 @@ void scatter(uint i, Surface s, MaterialRecord material, vec3 wo, CameraPath pat
 vec3 lightOn(VisiblePoint x) {
     vec3 sum = vec3(0.0);
     for (uint index = 0u; index < args.lightCount; ++index) {
-        DirectLight toLight = directLight(args.lights.at[index], 1.0, x, false, lightSampler(x.samplerSeed, index, args.pass));
+        DirectLight toLight = directLight(args.lights.at[index], 1.0, x, receiver, false, lightSampler(x.samplerSeed, index, args.pass));
         if (isWorthAsking(toLight) && traceScene(args.rootNode, toLight.shadow, true).object == kNone) {
             sum += toLight.contribution;
         }
@@ -120,7 +121,7 @@ void main() {
         path.beta *= transmittance(args.materials, path.medium, hit.t);
         emitted = emissionOf(s, args.lights, true, ray, hit.t, path);
         if (s.material != kNone) {
-            MaterialRecord material = texturedMaterial(args.materials.at[s.material], s);
+            MaterialRecord material = texturedMaterial(args.materials.at[s.material], s.position, s.uv);
             scatter(i, s, material, -ray.direction, path, result, visible);
         }
     }

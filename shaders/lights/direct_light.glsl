@@ -3,7 +3,7 @@
 #define HYALITE_DIRECT_LIGHT_GLSL
 #include "shared/path_records.h"
 #include "bsdf/bsdf.glsl"
-#include "bsdf/diffuse.glsl"
+#include "lights/receiver.glsl"
 #include "lights/light.glsl"
 #include "lib/sampling.glsl"
 
@@ -28,10 +28,10 @@ uint lightAsked(LightArray lights, uint lightCount, uint index, Sampler s, uint 
 }
 
 // `pmf`: with which probability the light was picked. `bounces`: a ray by the cosine may meet the same place.
-DirectLight directLight(LightRecord light, float pmf, VisiblePoint x, bool bounces, Sampler s) {
+DirectLight directLight(LightRecord light, float pmf, VisiblePoint x, Receiver receiver, bool bounces, Sampler s) {
     LightSample toLight = sampleLight(light, x.position, sampleUnit(s, cameraLightPoint(x.depth - 1u)));
     float cosine = dot(x.normal, toLight.direction);
-    vec3 f = x.f * diffuseFactor(x.coat, cosine);
+    vec3 f = receiver.f * incidentFactor(receiver, cosine);
     vec3 contribution = f * toLight.irradiance * cosine / pmf;
     if (bounces && toLight.pdfW > 0.0) {
         contribution *= powerHeuristic(pmf * toLight.pdfW, max(cosine, 0.0) * kInvPi);
@@ -41,9 +41,9 @@ DirectLight directLight(LightRecord light, float pmf, VisiblePoint x, bool bounc
 
 // At a rough point: rays that leave the lobe find the same lights, and the two are weighed against one another by the
 // densities with which they find them [Veach95].
-DirectLight directLight(LightRecord light, float pmf, RoughPoint x, Sampler s) {
+DirectLight directLight(LightRecord light, float pmf, RoughPoint x, Lobe lobe, Sampler s) {
     LightSample toLight = sampleLight(light, x.position, sampleUnit(s, cameraLightPoint(x.depth - 1u)));
-    BsdfValue value = evaluateLobe(x.lobe, x.normal, x.geometricNormal, x.wo, toLight.direction);
+    BsdfValue value = evaluateLobe(lobe, x.normal, x.geometricNormal, x.wo, toLight.direction, kRadiance);
     float weight = toLight.pdfW > 0.0 ? powerHeuristic(pmf * toLight.pdfW, value.pdfW) : 1.0;
     vec3 contribution = x.beta * value.fCos * toLight.irradiance * (weight / pmf);
     bool through = dot(toLight.direction, x.geometricNormal) < 0.0;

@@ -4,26 +4,9 @@
 #define HYALITE_ENVIRONMENT_GLSL
 #include "shared/scene_records.h"
 #include "lib/math.glsl"
-
-struct Choice {
-    uint index;
-    float rest; // x's place between this element's ends: again uniform in [0, 1]
-};
-
-// Of `count` elements from `first` on, the first whose cdf exceeds x in [0, 1).
-Choice choose(CdfArray cdfs, uint first, uint count, float x) {
-    uint low = first, high = first + count - 1u;
-    while (low < high) {
-        uint middle = (low + high) / 2u;
-        if (x < cdfs.at[middle]) {
-            high = middle;
-        } else {
-            low = middle + 1u;
-        }
-    }
-    float before = low > first ? cdfs.at[low - 1u] : 0.0;
-    return Choice(low - first, (x - before) / (cdfs.at[low] - before));
-}
+#include "lights/choose.glsl"
+#include "lights/light_sample.glsl"
+#include "lights/start_disc.glsl"
 
 vec3 environmentRadiance(LightRecord light, vec3 direction) {
     float around = turnsOf(-direction.x, direction.z) + light.rotation;
@@ -35,7 +18,7 @@ vec3 environmentRadiance(LightRecord light, vec3 direction) {
 
 // A texel with a probability in proportion to the mean of its channels times its solid angle, then any direction of it:
 // pdfW is in proportion to that mean.
-vec3 sampleEnvironment(LightRecord light, vec2 u) {
+vec3 environmentDirection(LightRecord light, vec2 u) {
     Choice row = choose(light.cdfs, 0u, light.rows, u.y);
     Choice column = choose(light.cdfs, light.rows + row.index * light.columns, light.columns, u.x);
     float top = sinCosTurns(0.5 * float(row.index) / float(light.rows)).y;
@@ -47,8 +30,28 @@ vec3 sampleEnvironment(LightRecord light, vec2 u) {
     return vec3(-radius * sc.x, y, radius * sc.y);
 }
 
-// Density [1/sr] with which sampleEnvironment finds a direction of this radiance.
+// Density [1/sr] with which environmentDirection finds a direction of this radiance.
 float environmentPdf(LightRecord light, vec3 radiance) {
     return dot(radiance, vec3(1.0)) / (4.0 * kPi * dot(light.emission, vec3(1.0)));
+}
+
+LightSample sampleEnvironment(LightRecord light, vec2 u) {
+    vec3 direction = environmentDirection(light, u);
+    vec3 radiance = environmentRadiance(light, direction);
+    float pdfW = environmentPdf(light, radiance);
+    return LightSample(direction, pdfW > 0.0 ? radiance / pdfW : vec3(0.0), pdfW, direction, kInfinity);
+}
+
+// Flux [W] of the light if all that it emits were like its rays in `direction`.
+vec3 environmentRayPower(LightRecord light, vec3 direction) {
+    vec3 radiance = environmentRadiance(light, -direction);
+    float pdfW = environmentPdf(light, radiance);
+    return pdfW > 0.0 ? radiance * (light.area / pdfW) : vec3(0.0);
+}
+
+LightRay emitFromEnvironment(LightRecord light, vec2 uOrigin, vec2 uDirection) {
+    vec3 direction = -environmentDirection(light, uDirection);
+    return LightRay(pointOnDisc(light, direction, uOrigin), direction, vec3(0.0), 0.0,
+                    environmentRayPower(light, direction), 0.0, 1.0 / light.area);
 }
 #endif

@@ -5,6 +5,7 @@
 #define HYALITE_SPOT_GLSL
 #include "shared/scene_records.h"
 #include "lib/math.glsl"
+#include "lights/light_sample.glsl"
 
 // Share of the full intensity that goes in `direction`.
 float spotFalloff(LightRecord light, vec3 direction) {
@@ -31,7 +32,7 @@ float falloffQuantile(float u) {
 }
 
 // Direction with a density in proportion to the falloff.
-vec3 sampleSpot(LightRecord light, vec2 u) {
+vec3 spotDirection(LightRecord light, vec2 u) {
     float inner = light.cone.x;
     float between = 0.5 * (light.cone.y - inner);
     float x = u.x * (inner + between);
@@ -43,8 +44,22 @@ vec3 sampleSpot(LightRecord light, vec2 u) {
     return fromLocal(vec3(radius * sc.y, radius * sc.x, 1.0 - x), light.normal);
 }
 
-// Density [1/sr] of sampleSpot.
-float spotPdf(LightRecord light, vec3 direction) {
+// Density [1/sr] of spotDirection.
+float spotDensity(LightRecord light, vec3 direction) {
     return spotFalloff(light, direction) / (kPi * (light.cone.x + light.cone.y));
+}
+
+LightSample sampleSpot(LightRecord light, vec3 receiver) {
+    vec3 toLight = light.position - receiver;
+    float distance2 = dot(toLight, toLight);
+    float distance = sqrt(distance2);
+    vec3 direction = toLight / distance;
+    float share = spotFalloff(light, -direction);
+    return LightSample(direction, light.emission * (share / distance2), 0.0, direction, distance);
+}
+
+LightRay emitFromSpot(LightRecord light, vec2 uDirection) {
+    vec3 direction = spotDirection(light, uDirection);
+    return LightRay(light.position, direction, vec3(0.0), 0.0, light.power, spotDensity(light, direction), 0.0);
 }
 #endif

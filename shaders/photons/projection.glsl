@@ -17,17 +17,12 @@ struct Aim {
     bool anywhere; // it is as wide as all that the light shines into: the light's own choice does for it
 };
 
-// 1 - cosine of the cone that a light at a point shines into.
-float ownExtent(LightRecord light) {
-    return isLight(light.type, kLightSpot) ? light.cone.y : (isSurface(light.type) ? 1.0 : 2.0);
-}
-
 Aim aimFromPoint(TargetRecord target, LightRecord light, vec3 point) {
     vec3 way = target.center - point;
     float distance2 = dot(way, way);
     float sine2 = target.radius * target.radius / distance2;
     float extent = sine2 / (1.0 + sqrt(max(0.0, 1.0 - sine2))); // 1 - cosine, with all its digits in narrow cones
-    float own = ownExtent(light);
+    float own = emissionExtent(light);
     if (!(sine2 * kCloseToTarget * kCloseToTarget < 1.0 && extent < own)) {
         return Aim(vec3(0.0), 2.0 * kPi * own, own, true);
     }

@@ -83,6 +83,7 @@ struct TraceWhittedArguments {
 
 struct SampleRoughLightsArguments {
     RoughPointArray roughPoints;
+    MaterialArray materials;
     LightArray lights;
     ColorArray direct; // in and out, at RoughPoint.result: radiance [W/(m^2 sr)] is added
     uint count;
@@ -94,6 +95,7 @@ struct SampleRoughLightsArguments {
 
 struct SampleLightsArguments {
     VisiblePointArray visiblePoints;
+    MaterialArray materials;
     LightArray lights;
     RayArray shadowRays;      // out; tMax = 0: nothing to trace
     ColorArray contributions; // out: radiance [W/(m^2 sr)] if the light is seen
@@ -111,9 +113,10 @@ struct SampleLightsArguments {
 struct BouncePathsArguments {
     CameraPathArray paths;           // as they came to their hits
     VisiblePointArray visiblePoints; // by pixel
-    RayArray nextRays;               // out, one per path
-    CameraPathArray nextPaths;       // out
-    UintArray alive;                 // out: 1 where a ray goes on from a diffuse surface, else as it was
+    MaterialArray materials;
+    RayArray nextRays;         // out, one per path
+    CameraPathArray nextPaths; // out
+    UintArray alive;           // out: 1 where a ray goes on from a diffuse surface, else as it was
     uint count;
     uint depth; // segments from the camera to the visible points
     uint maxDepth;
@@ -271,6 +274,7 @@ struct SortPhotonsArguments {
 
 struct GatherRadianceArguments {
     VisiblePointArray visiblePoints;
+    MaterialArray materials;
     UintArray cellStarts;
     ColorArray gathered; // out: radiance [W/(m^2 sr)]
     GridRecord grid;
@@ -300,6 +304,7 @@ SHARED_CONSTANT kFilterCustom = 3u; // see photons/custom_filter.glsl
 
 struct EstimateRadianceArguments {
     VisiblePointArray visiblePoints;
+    MaterialArray materials;
     PhotonMapRecord map;
     ColorArray gathered;  // out: radiance [W/(m^2 sr)]
     FloatArray radii;     // out: radius of the disc that it comes from [m]; 0 where no light is gathered
@@ -318,6 +323,7 @@ struct EstimateRadianceArguments {
 // Starts final gathering: one ray from each visible point into its hemisphere.
 struct StartGatherRaysArguments {
     VisiblePointArray visiblePoints;
+    MaterialArray materials;
     RayArray rays;         // out
     CameraPathArray paths; // out
     UintArray alive;       // out
@@ -343,6 +349,7 @@ struct StoreIrradianceArguments {
 // Adds the radiance that the nearest record of irradiance gives each visible point.
 struct LookUpIrradianceArguments {
     VisiblePointArray visiblePoints;
+    MaterialArray materials;
     ColorArray gathered; // in and out: radiance [W/(m^2 sr)]
     PhotonMapRecord map; // of the records
     float radius;        // no farther than this [m]

@@ -37,28 +37,24 @@ struct CameraPath {
 };
 DEVICE_ARRAY(CameraPath, CameraPathArray);
 
-// Where a camera path first meets a diffuse surface: there the photons are gathered and the lights are sampled.
+// Where a camera path ends at a diffuse surface: there the photons are gathered, the lights are sampled and the BSDF is
+// evaluated (lights/receiver.glsl).
 struct VisiblePoint {
-    vec3 position; // world [m]
+    vec3 position; // moved off the surface to the side the path came from, world [m]
     uint depth;    // segments from the camera to here; 0: the path found no diffuse surface
-    vec3 normal;   // unit, on the side the path came from
+    vec3 normal;   // unit, for shading, on the side the path came from
     uint samplerSeed;
-    vec3 f; // path throughput times the BRDF [1/sr], but for the coat's factor of the direction of incidence
-    uint pixel;
-    uint from;            // see Ray
+    vec3 onSurface;       // the position before it was moved [m]
+    uint from;            // see Ray; of a ray that stays on this side
+    vec3 wo;              // unit, to where the path came from
     uint geometricNormal; // on the same side, octahedral, 16 bits a coordinate
-    float coat;           // multiply f by diffuseFactor(coat, cosine) for every direction of incidence
+    vec3 beta;            // path throughput
+    uint pixel;
+    vec2 uv;           // texture coordinates
+    uint material;     // kNone: none, and the irradiance is asked for
+    float probability; // with which the path took the diffuse part here: not divided out of beta
 };
 DEVICE_ARRAY(VisiblePoint, VisiblePointArray);
-
-// How a surface reflects or refracts, seen from one side, without its diffuse part.
-struct Lobe {
-    uint type;       // kMaterial…
-    vec3 color;      // mirror: reflectance; conductor: real part of the index; metallic-roughness: F0; custom: as in
-    vec3 extinction; // MaterialRecord, both; conductor: imaginary part of the index
-    float eta;       // dielectric: index of the side it is seen from over that of the other
-    float alpha;     // of the GGX distribution; 0: smooth
-};
 
 // Where a camera path leaves by a rough lobe: there the lights are sampled.
 struct RoughPoint {
@@ -72,7 +68,8 @@ struct RoughPoint {
     uint from;   // see Ray; of a ray that stays on this side
     vec3 beta;   // path throughput, probability of the lobe divided out
     uint result; // where the light it gets is added: the pixel, or the path where pixels have several
-    Lobe lobe;
+    vec2 uv;     // texture coordinates
+    uint material;
 };
 DEVICE_ARRAY(RoughPoint, RoughPointArray);
 

@@ -2,6 +2,7 @@
 #ifndef HYALITE_SHARED_SCENE_RECORDS_H
 #define HYALITE_SHARED_SCENE_RECORDS_H
 #include "language.h"
+#include "materials.h"
 SHARED_BEGIN
 
 // The ray through image point (x, y) in [-1, 1]^2, y up, and the middle of the lens has direction
@@ -16,29 +17,6 @@ struct CameraRecord {
     float lensRadius;    // [m]; 0: a pinhole
     float focusDistance; // from the lens to the plane that is sharp [m]
 };
-
-SHARED_CONSTANT kMaterialAbsorber = 0u;          // reflects nothing
-SHARED_CONSTANT kMaterialDiffuse = 1u;           // color = albedo
-SHARED_CONSTANT kMaterialMirror = 2u;            // color = reflectance
-SHARED_CONSTANT kMaterialDielectric = 3u;        // ior = inside over outside
-SHARED_CONSTANT kMaterialConductor = 4u;         // color + i extinction = index
-SHARED_CONSTANT kMaterialMetallicRoughness = 5u; // color = that of the diffuse base and of the metal
-SHARED_CONSTANT kMaterialCustom = 6u;            // see bsdf/custom_reflectance.glsl
-SHARED_CONSTANT kMaterialRough = 31u;            // no type: says of a scene that some lobe of it is rough
-
-struct MaterialRecord {
-    uint type;
-    vec3 color;        // fraction reflected per channel, [0, 1]; conductor: its index of refraction, real part;
-                       // custom: three of the parameters
-    vec3 extinction;   // conductor: imaginary part of the index; dielectric: absorption coefficient [1/m]; custom: the
-                       // fourth parameter, number of the function, 0
-    float ior;         // dielectrics: inside over outside
-    float roughness;   // 0: smooth; else the alpha of the GGX distribution is its square
-    float metallic;    // metallic-roughness: 0 dielectric, 1 metal
-    uint colorTexture; // multiplies the colour; kNone: none
-    uint roughnessTexture; // metallic-roughness: green times roughness, blue times metallic; kNone: none
-};
-DEVICE_ARRAY(MaterialRecord, MaterialArray);
 
 // A triangle of an emitting mesh; none is without area.
 struct LightTriangle {

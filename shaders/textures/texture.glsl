@@ -2,7 +2,9 @@
 #ifndef HYALITE_TEXTURE_GLSL
 #define HYALITE_TEXTURE_GLSL
 #include "textures/custom_texture.glsl"
-#include "shapes/surface.glsl"
+#include "lib/math.glsl"
+#include "lib/specialization.glsl"
+#include "lib/tables.glsl"
 
 // Cells of a checker in the world begin this share of a cell before the multiples of its edge: a surface that lies in
 // such a plane is of one colour, whatever the rounding.
@@ -30,30 +32,31 @@ vec3 imageAt(uint first, ivec2 size, vec2 uv) {
     return mix(above, below, part.y);
 }
 
-vec3 textureAt(uint texture_, Surface s) {
+// `position`: on the surface, world [m].
+vec3 textureAt(uint texture_, vec3 position, vec2 uv) {
     vec4 head = texelFetch(textureTable, int(kTexelsPerTexture * texture_));
     uvec4 bits = floatBitsToUint(head);
     if (bits.x == kTextureImage) {
-        return imageAt(bits.y, ivec2(bits.zw), s.uv);
+        return imageAt(bits.y, ivec2(bits.zw), uv);
     }
     vec4 rest = texelFetch(textureTable, int(kTexelsPerTexture * texture_ + 1u));
     if (bits.x == kTextureCustom) {
-        return clamp(customTexture(bits.y, s.position, s.uv, rest), 0.0, 1.0);
+        return clamp(customTexture(bits.y, position, uv, rest), 0.0, 1.0);
     }
-    vec3 place = bits.x == kTextureCheckerWorld ? s.position * rest.x + kCheckerShift : vec3(s.uv * rest.x, 0.0);
+    vec3 place = bits.x == kTextureCheckerWorld ? position * rest.x + kCheckerShift : vec3(uv * rest.x, 0.0);
     vec3 cell = floor(place);
     return isOdd(cell.x + cell.y + cell.z) ? rest.yzw : head.yzw;
 }
 
-MaterialRecord texturedMaterial(MaterialRecord material, Surface s) {
+MaterialRecord texturedMaterial(MaterialRecord material, vec3 position, vec2 uv) {
     if (kTextures == 0u) {
         return material;
     }
     if (material.colorTexture != kNone) {
-        material.color *= textureAt(material.colorTexture, s);
+        material.color *= textureAt(material.colorTexture, position, uv);
     }
     if (material.roughnessTexture != kNone) {
-        vec3 factors = textureAt(material.roughnessTexture, s);
+        vec3 factors = textureAt(material.roughnessTexture, position, uv);
         material.roughness *= factors.g;
         material.metallic *= factors.b;
     }

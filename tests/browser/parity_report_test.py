@@ -125,7 +125,7 @@ class ReportThatFailed(Page):
     def test_the_stage_to_mend_is_open_with_its_offenders(self):
         shaders = self.folder / "shaders"
         shutil.copytree(SOURCE / "shaders", shaders)
-        fresnel = shaders / "bsdf/dielectric.glsl"
+        fresnel = shaders / "bsdf/interface.glsl"
         text = fresnel.read_text()
         fresnel.write_text(text.replace("0.5 * (s * s + p * p)", "s * s"))
         self.assertNotEqual(fresnel.read_text(), text)

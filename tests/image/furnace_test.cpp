@@ -91,7 +91,7 @@ TEST_CASE("a perfect mirror and clear glass cannot be told from the walls of a f
         reference::test::addObject(scene, Sphere{{0.1, 0, 0.5}, 0.3}, reference::test::addMaterial(scene, model));
         scene.render.passes = 256;
         for (const Renderer& renderer : renderers) {
-            INFO(renderer.name << ", material " << model.index());
+            INFO(renderer.name << ", material " << model.type);
             CHECK(judge(alarms, renderer, scene, everywhere(2), Independent::Pixels, {.bias = 1e-5, .sees = 0.05}));
         }
     }
@@ -107,7 +107,7 @@ TEST_CASE("a perfect mirror, and glass that does not absorb, are invisible in a 
         scene.render.maxDepth = 30;
         reference::test::addObject(scene, Sphere{{0, 0, 0}, 1}, reference::test::addMaterial(scene, model));
         for (const Renderer& renderer : everyRenderer()) {
-            INFO(renderer.name << ", material " << model.index());
+            INFO(renderer.name << ", material " << model.type);
             CHECK(judge(alarms, renderer, scene, everywhere(1), Independent::Pixels, {.bias = 1e-4, .sees = 1e-3}));
         }
     }
@@ -185,7 +185,7 @@ TEST_CASE("under a sky of radiance 1 a rough metal shows the albedo of its facet
         reference::test::addObject(scene, Disk{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}}, material); // faces up
         scene.render.passes = 16;
         for (const Renderer& renderer : everyRenderer()) {
-            INFO(renderer.name << ", material " << metal.model.index() << " at " << metal.angle);
+            INFO(renderer.name << ", material " << metal.model.type << " at " << metal.angle);
             // The midpoint rule is right to 1e-5 here, the pixel sees angles to 1e-4
             CHECK(judge(alarms, renderer, scene, everywhere(expected), Independent::Pixels,
                         {.bias = 2e-4, .sees = 0.05}));

@@ -69,7 +69,7 @@ TEST_CASE("in a room of radiance 1 a rough surface has the radiance of its albed
         for (const Renderer& renderer : renderers) {
             Scene scene = glowingRoom(model);
             scene.render.passes = 32;
-            INFO(renderer.name << ", material " << model.index());
+            INFO(renderer.name << ", material " << model.type);
             // The midpoint rule is right to 1e-4, pixels are 1e-4 rad wide
             CHECK(
                 judge(alarms, renderer, scene, everywhere(expected), Independent::Pixels, {.bias = 2e-4, .sees = 0.1}));

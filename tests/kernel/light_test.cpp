@@ -1,5 +1,6 @@
 // sample_lights and emit_photons against their twins, for every kind of light.
 #include "kernel/every_light.h"
+#include "kernel/visible_points.h"
 #include "reference/photons/photons.h"
 
 #include <algorithm>
@@ -32,14 +33,18 @@ double originTolerance(const reference::Light& light) {
 } // namespace
 
 TEST_CASE("light sampling sends the reference's contribution along the reference's ray") {
-    BothSides both(everyLight());
+    BothSides both(withPaints(everyLight()));
     reference::test::Random random;
     const std::uint32_t count = 20000;
     std::vector<shared::VisiblePoint> points(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-        points[i] = {
-            random.inCube(0.9),       i % 13, random.direction(), shared::hash(i), vec3(0.3, 0.2, 0.1), i, 0, 0,
-            static_cast<float>(i % 2)};
+        points[i] = PointMade{.position = random.inCube(0.9),
+                              .depth = i % 13,
+                              .normal = random.direction(),
+                              .samplerSeed = shared::hash(i),
+                              .beta = vec3(0.3, 0.2, 0.1) * std::numbers::pi_v<float>,
+                              .pixel = i,
+                              .material = paintOf(both.scene, i % 2 != 0)};
     }
     const auto devicePoints = both.upload(points);
     const auto rays = both.room<shared::Ray>(count);
@@ -50,8 +55,9 @@ TEST_CASE("light sampling sends the reference's contribution along the reference
     for (std::uint32_t light = shared::kNone; light == shared::kNone || light < lightCount; ++light) {
         INFO("light " << static_cast<int>(light));
         both.run("sample_lights",
-                 shared::SampleLightsArguments{devicePoints, both.deviceScene.lights, rays, contributions, count,
-                                               lightCount, light, pass, both.scene.render.maxDepth, 0, 0},
+                 shared::SampleLightsArguments{devicePoints, both.deviceScene.materials, both.deviceScene.lights, rays,
+                                               contributions, count, lightCount, light, pass,
+                                               both.scene.render.maxDepth, 0, 0},
                  count);
         // The strongest contribution at one metre, both cosines 1: f times intensity or radiance times area, over pmf
         double full = 0;
@@ -67,8 +73,7 @@ TEST_CASE("light sampling sends the reference's contribution along the reference
         for (std::uint32_t i = 0; i < count; ++i) {
             const shared::VisiblePoint& p = points[i];
             const bool shortEnough = p.depth > 0 && p.depth + 1 <= both.scene.render.maxDepth;
-            const reference::VisiblePoint x{p.position, p.position,    dvec3(p.normal), dvec3(p.normal), dvec3(p.f),
-                                            p.depth,    p.samplerSeed, p.coat != 0,     nullptr};
+            const reference::VisiblePoint x = toReference(both, p);
             const auto one = light == shared::kNone ? std::nullopt : std::optional<std::uint32_t>(light);
             const auto sample = shortEnough ? reference::sampleLight(both.world, x, pass, one) : std::nullopt;
             const reference::LightSample expected = sample.value_or(reference::LightSample{});
@@ -126,7 +131,7 @@ TEST_CASE("no lamp stands in its own light, however near the origin it is and ho
         // In front of the square with nothing between: the ball and the mesh lie outside of the cone x > 0, y, z in [0,
         // 1]
         const dvec3 position(random.between(0.2, i % 2 == 0 ? 2 : 100), random.unit(), random.unit());
-        points[i] = {position, 1, {-1, 0, 0}, shared::hash(i), vec3(1), i, 0, 0, 0};
+        points[i] = PointMade{.position = position, .normal = {-1, 0, 0}, .samplerSeed = shared::hash(i), .pixel = i};
     }
     const auto devicePoints = both.upload(points);
     const auto rays = both.room<shared::Ray>(count);
@@ -134,8 +139,8 @@ TEST_CASE("no lamp stands in its own light, however near the origin it is and ho
     for (std::uint32_t light = 0; light < 3; ++light) {
         INFO("light " << light);
         both.run("sample_lights",
-                 shared::SampleLightsArguments{devicePoints, both.deviceScene.lights, rays, contributions, count, 3,
-                                               light, 0, 2, 0, 0},
+                 shared::SampleLightsArguments{devicePoints, both.deviceScene.materials, both.deviceScene.lights, rays,
+                                               contributions, count, 3, light, 0, 2, 0, 0},
                  count);
         const auto direct = both.upload(std::vector<vec3>(count, vec3(0)));
         both.run("trace_shadow",
@@ -145,8 +150,7 @@ TEST_CASE("no lamp stands in its own light, however near the origin it is and ho
         std::size_t blockedInReference = 0;
         for (std::uint32_t i = 0; i < count; ++i) {
             const shared::VisiblePoint& p = points[i];
-            const reference::VisiblePoint x{p.position, p.position,    dvec3(p.normal), dvec3(p.normal), dvec3(p.f),
-                                            1,          p.samplerSeed, false,           nullptr};
+            const reference::VisiblePoint x = toReference(both, p);
             const auto sample = reference::sampleLight(both.world, x, 0, light);
             // What leaves it along its surface may pass through the facets beside it
             const bool clear =

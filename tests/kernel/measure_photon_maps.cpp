@@ -3,6 +3,7 @@
 // long that takes by the clock, and how long all cores together have computed: the latter holds on a busy machine too.
 #include "base/stopwatch.h"
 #include "kernel/photon_sets.h"
+#include "kernel/visible_points.h"
 #include "render/photons/photon_grid.h"
 #include "render/photons/photon_query.h"
 #include "render/photons/photon_tree.h"
@@ -48,7 +49,7 @@ std::vector<shared::VisiblePoint> pointsOnWalls() {
             vec3 p(u, v, v);
             p[(wall / 2 + 1) % 3] = u;
             p[wall / 2] = wall % 2 == 0 ? -1 : 1;
-            points.push_back({p, 1, vec3(0, 0, 1), 0, vec3(1), 0, 0, 0x7fffU | 0x7fffU << 16U, 0});
+            points.push_back(PointMade{.position = p});
         }
     }
     return points;
@@ -96,7 +97,8 @@ void measure(std::uint32_t count) {
     const gpu::Array<shared::VisiblePoint> points(device.context, std::span(walls), "visible points");
     const gpu::Array<vec3> gathered(device.context, queries, "gathered light");
     const gpu::Array<float> radii(device.context, queries, "radii");
-    device.tables.set(TABLE_GEOMETRY, gpu::Buffer(), gpu::TexelFormat::Uint4); // declared with the others, never read
+    const render::DeviceScene deviceScene =
+        render::uploadScene(device.context, device.tables, reference::test::cornellBox()); // of which nothing is read
     device.tables.set(TABLE_PHOTONS, table.buffer(), gpu::TexelFormat::Float4);
     render::PhotonTree tree(device);
     render::PhotonGrid grid(device);
@@ -116,7 +118,7 @@ void measure(std::uint32_t count) {
               1e3, "ms");
         for (const auto structure : {render::PhotonStructure::Tree, render::PhotonStructure::Grid}) {
             const bool isTree = structure == render::PhotonStructure::Tree;
-            const render::RadianceEstimate estimate(device, structure, nearest);
+            const render::RadianceEstimate estimate(device, deviceScene, structure, nearest);
             const std::string what = (isTree ? "tree, nearest " : "grid, nearest ") + std::to_string(nearest);
             print(what.c_str(), shortest([&] {
                       estimate.run(device, isTree ? tree.map() : grid.map(), points, queries,

@@ -1,5 +1,6 @@
 // Absorption in glass on the device against the reference: along camera paths and along photons' paths.
 #include "kernel/bounce.h"
+#include "kernel/visible_points.h"
 #include "reference/integrators/shading.h"
 #include "reference/photons/photons.h"
 
@@ -72,7 +73,8 @@ TEST_CASE("camera paths lose in glass what the reference says, enter it at its f
         CHECK(distance(bounce.emitted.host()[i], expected.emitted) < 1e-5);
         if (expected.visible) {
             // t is right to a few 1e-7, a coefficient of 40/m makes 1e-5 of it, of f below 0.1
-            CHECK(distance(bounce.visible.host()[i].f, expected.visible->f) < 2e-6);
+            CHECK(glm::distance(fAt(both, bounce.visible.host()[i]), reference::receiverAt(*expected.visible).f) <
+                  2e-6);
         }
         const std::vector<reference::NextRay> ways = waysOf(expected);
         REQUIRE(bounce.alive.host()[i] == ways.size());

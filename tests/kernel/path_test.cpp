@@ -1,5 +1,6 @@
 // Path tracing's own kernel, and what sample_lights does for it, against their twins.
 #include "kernel/every_light.h"
+#include "kernel/visible_points.h"
 #include "reference/integrators/path.h"
 #include "reference/lights/rough_light.h"
 
@@ -14,41 +15,28 @@ constexpr std::uint32_t kDepth = 3; // where the paths of interest have just met
 constexpr std::uint32_t kPass = 11;
 
 // Points with a normal of their own, coated or not, some of paths that ended elsewhere.
-std::vector<shared::VisiblePoint> somePoints() {
+std::vector<shared::VisiblePoint> somePoints(const Scene& scene) {
     reference::test::Random random;
     std::vector<shared::VisiblePoint> points(kPoints);
     for (std::uint32_t i = 0; i < kPoints; ++i) {
-        points[i] = {random.inCube(0.9),
-                     i % 5 == 0 ? i % 3 : kDepth,
-                     vec3(0, 1, 0),
-                     shared::hash(i),
-                     vec3(0.3, 0.2, 0.1),
-                     i,
-                     0,
-                     0x7fffU | 0x7fffU << 16U,
-                     static_cast<float>(i % 2)};
-        points[i].normal = glm::normalize(vec3(random.inCube(0.3)) + vec3(0, 0, 1)); // leans against (0, 0, 1)
+        const dvec3 position = random.inCube(0.9);
+        points[i] = PointMade{.position = position,
+                              .depth = i % 5 == 0 ? i % 3 : kDepth,
+                              .normal = glm::normalize(vec3(random.inCube(0.3)) + vec3(0, 0, 1)), // leans against z
+                              .samplerSeed = shared::hash(i),
+                              .beta = vec3(0.3, 0.2, 0.1) * std::numbers::pi_v<float>,
+                              .pixel = i,
+                              .material = paintOf(scene, i % 2 != 0)};
     }
     return points;
-}
-
-reference::VisiblePoint toReference(const shared::VisiblePoint& p) {
-    return {.position = p.position,
-            .shadowOrigin = p.position,
-            .normal = p.normal,
-            .geometricNormal = glm::normalize(dvec3(-1, -1, 65533)), // 0x7fff stands for -1/65535
-            .f = p.f,
-            .depth = p.depth,
-            .samplerSeed = p.samplerSeed,
-            .coated = p.coat != 0};
 }
 
 } // namespace
 
 TEST_CASE("paths go on from diffuse surfaces as the reference's do") {
-    BothSides both(reference::test::cornellBox());
+    BothSides both(withPaints(reference::test::cornellBox()));
     both.world.render.maxDepth = 12;
-    const auto points = somePoints();
+    const auto points = somePoints(both.scene);
     std::vector<shared::CameraPath> paths(kPoints);
     for (std::uint32_t i = 0; i < kPoints; ++i) {
         paths[i] = {vec3(1), i, shared::hash(i), i % 7, 0};
@@ -58,16 +46,16 @@ TEST_CASE("paths go on from diffuse surfaces as the reference's do") {
     const auto rays = both.room<shared::Ray>(kPoints);
     const auto nextPaths = both.room<shared::CameraPath>(kPoints);
     const auto alive = both.upload(std::vector<shared::uint>(kPoints, 0));
-    both.run(
-        "bounce_paths",
-        shared::BouncePathsArguments{devicePaths, devicePoints, rays, nextPaths, alive, kPoints, kDepth, 12, kPass},
-        kPoints);
+    both.run("bounce_paths",
+             shared::BouncePathsArguments{devicePaths, devicePoints, both.deviceScene.materials, rays, nextPaths, alive,
+                                          kPoints, kDepth, 12, kPass},
+             kPoints);
     std::size_t coins = 0;
     std::size_t bounced = 0;
     for (std::uint32_t i = 0; i < kPoints; ++i) {
         INFO(i);
         const bool isHere = points[i].depth == kDepth;
-        const auto expected = isHere ? reference::bouncePath(both.world, toReference(points[i]),
+        const auto expected = isHere ? reference::bouncePath(both.world, toReference(both, points[i]),
                                                              {.samplerSeed = points[i].samplerSeed}, kPass)
                                      : std::nullopt;
         if (expected.has_value() != (alive.host()[i] != 0)) {
@@ -91,23 +79,24 @@ TEST_CASE("paths go on from diffuse surfaces as the reference's do") {
     CHECK(bounced > kPoints / 10);
     // The longest path ends here
     const auto none = both.upload(std::vector<shared::uint>(kPoints, 0));
-    both.run(
-        "bounce_paths",
-        shared::BouncePathsArguments{devicePaths, devicePoints, rays, nextPaths, none, kPoints, kDepth, kDepth, kPass},
-        kPoints);
+    both.run("bounce_paths",
+             shared::BouncePathsArguments{devicePaths, devicePoints, both.deviceScene.materials, rays, nextPaths, none,
+                                          kPoints, kDepth, kDepth, kPass},
+             kPoints);
     CHECK(std::ranges::count(none.host(), 0U) == kPoints);
 }
 
 TEST_CASE("light sampled for paths that go on is weighed against what they may meet themselves") {
-    BothSides both(everyLight());
-    const auto points = somePoints();
+    BothSides both(withPaints(everyLight()));
+    const auto points = somePoints(both.scene);
     const auto devicePoints = both.upload(points);
     const auto rays = both.room<shared::Ray>(kPoints);
     const auto contributions = both.room<vec3>(kPoints);
     const std::uint32_t maxDepth = both.scene.render.maxDepth;
     both.run("sample_lights",
-             shared::SampleLightsArguments{devicePoints, both.deviceScene.lights, rays, contributions, kPoints,
-                                           both.deviceScene.lightCount, shared::kNone, kPass, maxDepth, kDepth, 0},
+             shared::SampleLightsArguments{devicePoints, both.deviceScene.materials, both.deviceScene.lights, rays,
+                                           contributions, kPoints, both.deviceScene.lightCount, shared::kNone, kPass,
+                                           maxDepth, kDepth, 0},
              kPoints);
     std::size_t coins = 0;
     std::size_t lit = 0;
@@ -115,8 +104,9 @@ TEST_CASE("light sampled for paths that go on is weighed against what they may m
     for (std::uint32_t i = 0; i < kPoints; ++i) {
         INFO(i);
         const bool isHere = points[i].depth == kDepth;
-        const auto sample =
-            isHere ? reference::sampleLight(both.world, toReference(points[i]), kPass, std::nullopt) : std::nullopt;
+        const auto sample = isHere
+                                ? reference::sampleLight(both.world, toReference(both, points[i]), kPass, std::nullopt)
+                                : std::nullopt;
         const reference::LightSample twin = sample.value_or(reference::LightSample{});
         const shared::Ray& ray = rays.host()[i];
         if (!sample || ray.tMax == 0) { // on the light's or the surface's horizon either side may say no

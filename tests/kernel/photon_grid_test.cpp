@@ -1,5 +1,6 @@
 // The photon grid and the gathering of radiance, against brute force and against the reference.
 #include "kernel/kernel_support.h"
+#include "kernel/visible_points.h"
 #include "reference/photons/photon_map.h"
 #include "render/photons/photon_grid.h"
 
@@ -13,7 +14,6 @@ namespace {
 // An upward surface's photon of power 1, arriving from above, after two segments.
 constexpr std::uint32_t kMiddle11 = 0x3ff;
 constexpr std::uint32_t kKindAndLength = shared::kPhotonIndirect << shared::kKindShift | 2U << shared::kLengthShift;
-constexpr std::uint32_t kUp16 = 0x7fffU | 0x7fffU << 16U; // a visible point's normal
 shared::Photon photonAt(const vec3& position, float power) {
     // Octahedral (0, 0, 1): both coordinates at the middle, to one step in 2047 and 32767
     const std::uint32_t up11 = kMiddle11 | kMiddle11 << 11U;
@@ -97,7 +97,7 @@ TEST_CASE("the grid holds every stored photon once, buckets together, in the ord
 }
 
 TEST_CASE("gathering meets every photon of the disc once, also where cells share buckets") {
-    BothSides both(reference::test::cornellBox());
+    BothSides both(withPaints(reference::test::cornellBox()));
     render::PhotonGrid grid(both.device);
     reference::test::Random random;
     for (const PhotonSet& set : photonSets()) {
@@ -112,21 +112,15 @@ TEST_CASE("gathering meets every photon of the disc once, also where cells share
             for (std::uint32_t i = 0; i < count; ++i) {
                 const bool atPhoton = !set.positions.empty() && i % 2 == 0;
                 const dvec3 near = atPhoton ? dvec3(set.positions[i % set.positions.size()]) : random.inCube(1);
-                points[i] = {vec3(near + 0.5 * random.inCube(radius) * dvec3(1, 1, 0.1)),
-                             1,
-                             vec3(0, 0, 1),
-                             0,
-                             vec3(1),
-                             i,
-                             0,
-                             kUp16,
-                             static_cast<float>(i % 2)};
+                points[i] = PointMade{.position = vec3(near + 0.5 * random.inCube(radius) * dvec3(1, 1, 0.1)),
+                                      .pixel = i,
+                                      .material = paintOf(both.scene, i % 2 != 0)};
             }
             const auto devicePoints = both.upload(points);
             const auto gathered = both.room<vec3>(count);
             both.run("gather_radiance",
-                     shared::GatherRadianceArguments{devicePoints, grid.cellStarts(), gathered, grid.record(), radius,
-                                                     count, 12, 13},
+                     shared::GatherRadianceArguments{devicePoints, both.deviceScene.materials, grid.cellStarts(),
+                                                     gathered, grid.record(), radius, count, 12, 13},
                      count);
             std::vector<reference::Photon> stored;
             for (const shared::Photon& p : photons) {
@@ -137,16 +131,7 @@ TEST_CASE("gathering meets every photon of the disc once, also where cells share
             const reference::PhotonMap map(stored);
             std::size_t edge = 0; // a photon on the rim of the disc, in on one side and out on the other
             for (std::uint32_t i = 0; i < count; ++i) {
-                const dvec3 normal = glm::normalize(dvec3(-1, -1, 65533)); // 0x7fff stands for -1/65535
-                const reference::VisiblePoint x{points[i].position,
-                                                points[i].position,
-                                                {0, 0, 1},
-                                                normal,
-                                                dvec3(1),
-                                                1,
-                                                0,
-                                                points[i].coat != 0,
-                                                nullptr};
+                const reference::VisiblePoint x = toReference(both, points[i]);
                 const double expected = reference::gatherRadiance(map, x, radius, 12).x;
                 const double actual = gathered.host()[i].x;
                 edge += std::abs(actual - expected) > 1e-4 * expected ? 1 : 0;
@@ -182,7 +167,7 @@ TEST_CASE("a disc that reaches over the edges of a parallelogram counts with wha
         dvec3 at = random.inCube(0.5) + 0.5;
         at.x = i % 3 == 0 ? std::round(at.x) : at.x; // on an edge, or a corner
         at.y = i % 5 == 0 ? std::round(at.y) : at.y;
-        points.push_back({onQuad(at.x, at.y), 1, vec3(0, 0, 1), 0, vec3(1), i, 1 + quadObject, kUp16, 0});
+        points.push_back(PointMade{.position = onQuad(at.x, at.y), .pixel = i, .from = 1 + quadObject});
     }
     render::PhotonGrid grid(both.device);
     const auto devicePhotons = both.upload(photons);
@@ -193,18 +178,13 @@ TEST_CASE("a disc that reaches over the edges of a parallelogram counts with wha
         INFO("radius " << radius);
         grid.build(both.device, devicePhotons, 4000, radius);
         both.run("gather_radiance",
-                 shared::GatherRadianceArguments{devicePoints, grid.cellStarts(), gathered, grid.record(), radius,
-                                                 count, 12, 13},
+                 shared::GatherRadianceArguments{devicePoints, both.deviceScene.materials, grid.cellStarts(), gathered,
+                                                 grid.record(), radius, count, 12, 13},
                  count);
         std::size_t edge = 0; // a photon on the rim of the disc, in on one side and out on the other
         for (std::uint32_t i = 0; i < count; ++i) {
-            const reference::VisiblePoint x{.position = points[i].position,
-                                            .shadowOrigin = points[i].position,
-                                            .normal = {0, 0, 1},
-                                            .geometricNormal = {0, 0, 1},
-                                            .f = dvec3(1),
-                                            .depth = 1,
-                                            .quad = &quad};
+            reference::VisiblePoint x = toReference(both, points[i], {0, 0, 1});
+            x.quad = &quad;
             const double expected = reference::gatherRadiance(map, x, radius, 12).x;
             edge += std::abs(gathered.host()[i].x - expected) > 1e-4 * expected ? 1 : 0;
         }
@@ -219,17 +199,17 @@ TEST_CASE("photons of another surface, another side or too long a path are not g
     const auto estimate = [&](const shared::Photon& photon, std::uint32_t depth, std::uint32_t maxDepth) {
         const auto photons = both.upload(std::vector{photon});
         grid.build(both.device, photons, 1, radius);
-        const auto points = both.upload(
-            std::vector<shared::VisiblePoint>{{vec3(0), depth, vec3(0, 0, 1), 0, vec3(0.5), 0, 0, kUp16, 0}});
+        const auto points =
+            both.upload(std::vector<shared::VisiblePoint>{PointMade{.position = vec3(0), .depth = depth}});
         const auto gathered = both.room<vec3>(1);
         both.run("gather_radiance",
-                 shared::GatherRadianceArguments{points, grid.cellStarts(), gathered, grid.record(), radius, 1,
-                                                 maxDepth, 13},
+                 shared::GatherRadianceArguments{points, both.deviceScene.materials, grid.cellStarts(), gathered,
+                                                 grid.record(), radius, 1, maxDepth, 13},
                  1);
         return gathered.host()[0].x;
     };
-    // f * power / (pi r^2)
-    const float whole = 0.5F * 3 / (std::numbers::pi_v<float> * radius * radius);
+    // f * power / (pi r^2), f = 1
+    const float whole = 3.0F / (std::numbers::pi_v<float> * radius * radius);
     const shared::Photon near = photonAt({0.05F, 0, 0.01F}, 3);
     CHECK(std::abs(estimate(near, 1, 3) - whole) < 1e-5F * whole);
     CHECK(estimate(near, 2, 3) == 0);                           // two segments here, two there

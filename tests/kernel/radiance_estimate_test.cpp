@@ -1,5 +1,6 @@
 // The radiance estimate from the nearest photons, against the reference and against densities that are known.
 #include "kernel/photon_sets.h"
+#include "kernel/visible_points.h"
 #include "reference/photons/radiance_estimate.h"
 #include "render/photons/photon_grid.h"
 #include "render/photons/photon_query.h"
@@ -38,7 +39,7 @@ Estimates estimate(BothSides& both, render::PhotonStructure structure, const std
     }
     both.device.commands.finish();
     both.device.tables.set(TABLE_PHOTONS, table.buffer(), gpu::TexelFormat::Float4);
-    const render::RadianceEstimate kernel(both.device, structure, search.nearest);
+    const render::RadianceEstimate kernel(both.device, both.deviceScene, structure, search.nearest);
     const auto devicePoints = both.upload(points);
     const auto gathered = both.room<vec3>(count);
     const auto radii = both.room<float>(count);
@@ -48,7 +49,7 @@ Estimates estimate(BothSides& both, render::PhotonStructure structure, const std
 }
 
 shared::VisiblePoint upwardPoint(const vec3& position) {
-    return {position, 1, vec3(0, 0, 1), 0, vec3(1), 0, 0, kUp16, 0};
+    return PointMade{.position = position, .geometricNormal = kUp16};
 }
 
 dvec3 geometricNormal() {
@@ -85,7 +86,7 @@ constexpr std::array kDensities{render::PhotonDensity{render::PhotonFilter::None
 } // namespace
 
 TEST_CASE("the radiance estimate is the reference's, from the tree and, bit for bit the same, from the grid") {
-    BothSides both(reference::test::cornellBox());
+    BothSides both(withPaints(reference::test::cornellBox()));
     reference::test::Random random;
     // A floor with a step of 0.02, more and more photons to one side, and a bright spot with a sharp edge
     std::vector<shared::Photon> slots;
@@ -118,9 +119,9 @@ TEST_CASE("the radiance estimate is the reference's, from the tree and, bit for 
         const dvec3 p = random.inCube(1.1);
         const bool nearSpot = i % 2 == 0;
         points.push_back(upwardPoint(vec3(nearSpot ? dvec3(0.3 + 0.2 * p.x, 0.2 * p.y, 0) : dvec3(p.x, p.y, 0))));
-        points.back().f = vec3(0.1, 0.2, 0.3);
+        points.back().beta = vec3(0.3, 0.6, 0.9);
         points.back().depth = i % 100 == 0 ? 0 : 1;
-        points.back().coat = i % 3 == 0 ? 1.0F : 0.0F;
+        points.back().material = paintOf(both.scene, i % 3 == 0);
     }
     const reference::PhotonMap map(stored);
     for (const std::uint32_t nearest : {2U, 50U, 300U}) {
@@ -147,9 +148,7 @@ TEST_CASE("the radiance estimate is the reference's, from the tree and, bit for 
                     CHECK(tree.radii[i] == 0);
                     continue;
                 }
-                const reference::VisiblePoint x{
-                    points[i].position, points[i].position, {0, 0, 1}, geometricNormal(), dvec3(points[i].f), 1, 0,
-                    points[i].coat != 0};
+                const reference::VisiblePoint x = toReference(both, points[i], geometricNormal());
                 const auto expected = reference::estimateRadiance(map, x, options);
                 const bool same = std::abs(tree.radii[i] - expected.radius) < 1e-5 * expected.radius &&
                                   distance(tree.radiance[i], expected.radiance) < 1e-4 * expected.radiance.x + 1e-7;
@@ -263,8 +262,9 @@ TEST_CASE("differential checking leaves an even density alone and keeps the edge
 TEST_CASE("a search for no photon, or for more than a thread keeps, is refused") {
     BothSides both(reference::test::cornellBox());
     for (const std::uint32_t nearest : {0U, 1U, 513U}) {
-        CHECK_THROWS_WITH(render::RadianceEstimate(both.device, render::PhotonStructure::Tree, nearest),
-                          Catch::Matchers::ContainsSubstring("a search for " + std::to_string(nearest) + " photons"));
+        CHECK_THROWS_WITH(
+            render::RadianceEstimate(both.device, both.deviceScene, render::PhotonStructure::Tree, nearest),
+            Catch::Matchers::ContainsSubstring("a search for " + std::to_string(nearest) + " photons"));
     }
 }
 

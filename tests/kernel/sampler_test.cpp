@@ -47,7 +47,7 @@ layout(push_constant, scalar) uniform Push { Arguments args; };
 vec3 lobeDirection(uint material, Sampler s, uint dimension) {
     const vec3 up = vec3(0.0, 0.0, 1.0);
     return sampleLobe(lobeOf(args.materials.at[material], true), up, up, vec3(0.8, 0.0, 0.6),
-                      sampleUnit(s, dimension), sampleUnit(s, dimension + 1u).x, true).direction;
+                      sampleUnit(s, dimension), sampleUnit(s, dimension + 1u).x, kRadiance).direction;
 }
 void main() {
     uint i = threadIndex();

@@ -1,5 +1,6 @@
 // shade_surface and trace_whitted against their twins.
 #include "kernel/bounce.h"
+#include "kernel/visible_points.h"
 
 namespace hyalite::testing {
 
@@ -72,7 +73,7 @@ void compareShading(Scene scene, Ways ways, std::uint32_t depth) {
             CHECK(v.samplerSeed == expected.visible->samplerSeed);
             CHECK(distance(v.position, expected.visible->position) < 2e-5);
             CHECK(distance(v.normal, expected.visible->normal) < 2e-4);
-            CHECK(distance(v.f, expected.visible->f) < 1e-6);
+            CHECK(glm::distance(fAt(both, v), reference::receiverAt(*expected.visible).f) < 1e-6);
         }
         const std::vector<reference::NextRay> next = waysOf(expected);
         REQUIRE(b.alive.host()[i] == next.size());

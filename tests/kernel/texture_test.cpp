@@ -1,5 +1,6 @@
 // Textures on every shape that has coordinates, on the device against the reference.
 #include "kernel/bounce.h"
+#include "kernel/visible_points.h"
 #include "reference/integrators/shading.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -88,11 +89,12 @@ TEST_CASE("textured surfaces have the colours of the reference on every shape") 
             continue;
         }
         if (expected.visible) {
-            difference = distance(bounce.visible.host()[i].f, expected.visible->f);
+            difference = glm::distance(fAt(both, bounce.visible.host()[i]), reference::receiverAt(*expected.visible).f);
         } else if (expected.rough) {
             const reference::Lobe& lobe = expected.rough->lobe;
-            difference = std::abs(bounce.rough.host()[i].lobe.alpha - lobe.alpha) +
-                         distance(bounce.rough.host()[i].lobe.color, reference::facetReflectance(lobe, 1));
+            const reference::Lobe onDevice = lobeAt(both, bounce.rough.host()[i]);
+            difference = std::abs(onDevice.alpha - lobe.alpha) +
+                         glm::distance(reference::facetReflectance(onDevice, 1), reference::facetReflectance(lobe, 1));
         } else if (expected.next[0]) {
             REQUIRE(bounce.alive.host()[i] == 1);
             difference = distance(bounce.nextPaths.host()[i].beta, expected.next[0]->path.beta);

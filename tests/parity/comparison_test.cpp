@@ -1,12 +1,15 @@
 // The judge itself: what it calls equal, apart and failed.
+#include "parity/checks/checks.h"
 #include "parity/comparison.h"
-#include "parity/twins.h"
 
 #include <catch2/catch_test_macros.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <set>
+#include <stdexcept>
 
 namespace hyalite::parity {
 
@@ -16,36 +19,43 @@ OffenderInputs noInputs() {
     return {};
 }
 
-const Tolerance& toleranceOf(std::string_view stage, std::string_view field) {
-    for (const Tolerance& tolerance : tolerancesOf(stage)) {
-        if (tolerance.field == field) {
-            return tolerance;
-        }
-    }
-    throw std::runtime_error("no such field");
-}
+struct HitFields : FieldSet<2> {
+    const Field& object = exact("object", kEdge);
+    const Field& t = number("t", kPosition, Scale::Scene);
+};
+constexpr HitFields kHit;
 
-// What trace_closest answers.
+struct ColorFields : FieldSet<1> {
+    const Field& color = vector("color", kRounding);
+};
+constexpr ColorFields kColors;
+
 Answer hitOf(std::uint64_t object, double t) {
     Answer answer;
-    answer.exact("object", object);
-    answer.number("t", t);
+    answer.exact(kHit.object, object);
+    answer.number(kHit.t, t);
     return answer;
+}
+
+// Of hits in a scene whose largest coordinate is 1.
+Comparison hitComparison() {
+    const std::array<const Field*, 2> fields{&kHit.object, &kHit.t};
+    return {"hits", fields, 1};
 }
 
 } // namespace
 
 TEST_CASE("errors are measured in units in the last place of a float, and relative to their scale") {
     const auto value = [](const glm::dvec3& v, double scale = 0) {
-        return Answer::Value{.field = "", .exact = 0, .real = v, .scale = scale};
+        return Answer::Value{.field = nullptr, .exact = 0, .real = v, .scale = scale};
     };
     // A float in [4, 8) ends in 2^-21; the error of 3 of them is 3 * 2^-21 / 4 of the value
-    const Tolerance& color = toleranceOf("resolve_film", "color");
+    const Field& color = kColors.color;
     const FieldError error = errorOf(color, value({4 + 3 * 0x1p-21, 1, 1}), value({4, 1, 1}), 100);
     CHECK(error.ulp == 3);
     CHECK(error.relative == 3 * 0x1p-23);
     // Positions are relative to the scene: 2^-14 of 64, where floats end in 2^-17
-    const Tolerance& t = toleranceOf("trace_closest", "t");
+    const Field& t = kHit.t;
     const FieldError small = errorOf(t, value({1 + 0x1p-14, 0, 0}), value({1, 0, 0}), 64);
     CHECK(small.relative == 0x1p-20);
     CHECK(small.ulp == 8);
@@ -68,7 +78,7 @@ TEST_CASE(
             return hitOf(moved < 1 ? 1 : 2, 5);
         };
     };
-    Comparison comparison("trace_closest", 1);
+    Comparison comparison = hitComparison();
     CHECK(comparison.compare("", 0, hitOf(1, 5), edge(0.9), noInputs) == Outcome::Matched);
     CHECK(comparison.compare("", 1, hitOf(2, 5), edge(1 - 0x1p-24), noInputs) == Outcome::Apart);
     // 2^-16 away, sixteen times as far as any move
@@ -90,8 +100,8 @@ TEST_CASE("a number is apart within what roundings of the input make of it, and 
         return hitOf(1, 1000 * nudge.point(glm::dvec3(1e-3, 0, 0), 1).x);
     };
     const double reach = 1000 * kNudge * 0x1p-24;
-    REQUIRE(reach > toleranceOf("trace_closest", "t").relative);
-    Comparison comparison("trace_closest", 1);
+    REQUIRE(reach > kHit.t.tolerance->relative);
+    Comparison comparison = hitComparison();
     CHECK(comparison.compare("", 0, hitOf(1, 1 + 0x1p-20), steep, noInputs) == Outcome::Matched);
     CHECK(comparison.compare("", 1, hitOf(1, 1 + reach / 2), steep, noInputs) == Outcome::Apart);
     // The range found is at most two reaches wide, and is widened by as much on either side: 3 reaches, and 4 beyond it
@@ -101,7 +111,7 @@ TEST_CASE("a number is apart within what roundings of the input make of it, and 
 TEST_CASE("a stage where roundings decide too often does not pass") {
     const Comparison::Twin coin = [](Nudge nudge) { return hitOf(nudge.movesNothing() ? 1 : 2, 5); };
     const Comparison::Twin sure = [](Nudge) { return hitOf(1, 5); };
-    Comparison comparison("trace_closest", 1);
+    Comparison comparison = hitComparison();
     for (std::size_t i = 0; i < 100; ++i) { // one in fifty is allowed: two of a hundred, not three
         const bool isApart = i < 2;
         static_cast<void>(comparison.compare("", i, hitOf(isApart ? 2 : 1, 5), isApart ? coin : sure, noInputs));
@@ -112,7 +122,14 @@ TEST_CASE("a stage where roundings decide too often does not pass") {
     CHECK_FALSE(comparison.result().passed());
 }
 
-TEST_CASE("no kernel runs without a twin, and no twin without tolerances that give a reason") {
+TEST_CASE("an answer with a field that its check does not list is a fault of the check") {
+    Comparison comparison = hitComparison();
+    Answer answer = hitOf(1, 5);
+    answer.vector(kColors.color, glm::dvec3(1));
+    CHECK_THROWS_AS(comparison.compareExact("", 0, answer, answer), std::logic_error);
+}
+
+TEST_CASE("every kernel has a check, and no check is without a twin and fields that give a reason") {
     std::set<std::string> kernels;
     for (const auto& file : std::filesystem::directory_iterator(HYALITE_SOURCE_DIR "/shaders/kernels")) {
         if (file.path().extension() == ".comp") {
@@ -121,15 +138,24 @@ TEST_CASE("no kernel runs without a twin, and no twin without tolerances that gi
     }
     REQUIRE(kernels.erase("self_test") == 1);       // its answers are known
     REQUIRE(kernels.erase("nearest_photons") == 1); // asked by tests alone
-    for (const std::string& kernel : kernels) {
-        INFO(kernel);
-        CHECK(twinOf(kernel) != nullptr);
-        CHECK_FALSE(tolerancesOf(kernel).empty());
+    std::set<std::string> checked;
+    for (const Check* check : allChecks()) {
+        INFO(check->kernel);
+        CHECK(checked.emplace(check->kernel).second); // once
+        CHECK(checkOf(check->kernel) == check);
+        CHECK(check->compare != nullptr);
+        std::set<std::string_view> names;
+        check->forEachField([&](const Field& field) {
+            INFO(field.name);
+            CHECK(names.insert(field.name).second);
+            CHECK(std::ranges::find(kTolerances, field.tolerance) != kTolerances.end());
+        });
+        CHECK_FALSE(names.empty());
     }
-    for (const Tolerance& tolerance : allTolerances()) {
-        INFO(tolerance.stage << ", " << tolerance.field);
-        CHECK(twinOf(tolerance.stage) != nullptr);
-        CHECK_FALSE(tolerance.reason.empty());
+    CHECK(checked == kernels);
+    for (const Tolerance* tolerance : kTolerances) {
+        INFO(tolerance->of);
+        CHECK_FALSE(tolerance->reason.empty());
     }
 }
 

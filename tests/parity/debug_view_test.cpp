@@ -30,13 +30,13 @@ Drawn draw(render::DebugQuantity quantity) {
     parity::Capture capture(gpu.context(), device.tables, sides, {});
     render::Film film(device, scene.camera.resolution, render::DebugView::layers());
     render::DebugView view({.device = device, .scene = scene, .deviceScene = deviceScene, .film = film}, quantity);
-    device.commands.observe(&capture);
+    gpu::Observation observation = device.commands.observe(capture);
     for (std::uint32_t pass = 0; pass < 2; ++pass) {
         film.beginPass(pass);
         view.renderPass(pass);
         film.endPass();
     }
-    device.commands.observe(nullptr);
+    observation.end();
     return {capture.finish(), film.resolve(device).picture};
 }
 

@@ -1,8 +1,7 @@
 #include "reference/bsdf/bsdf.h"
 
-#include "reference/bsdf/custom_twins.h"
 #include "reference/bsdf/ggx.h"
-#include "reference/bsdf/materials.h"
+#include "reference/bsdf/interface.h"
 #include "reference/lib/sampling.h"
 
 #include "shaders/shared/limits.h"
@@ -19,23 +18,16 @@ double mean(const glm::dvec3& c) {
     return (c.x + c.y + c.z) / 3;
 }
 
-double roughnessOf(const MaterialModel& model) {
-    if (const auto* glass = std::get_if<Dielectric>(&model)) {
-        return std::abs(glass->ior - 1) < double{shared::kSmoothIndex} ? 0 : glass->roughness;
+const BsdfModel* modelOf(const MaterialModel& material) {
+    switch (material.type) {
+#define ROW(Name, name)                                                                                                \
+    case shared::kMaterial##Name:                                                                                      \
+        return &k##Name##Bsdf;
+        HYALITE_MODELS(ROW)
+#undef ROW
+    default:
+        return nullptr;
     }
-    if (const auto* metal = std::get_if<Conductor>(&model)) {
-        return metal->roughness;
-    }
-    if (const auto* custom = std::get_if<CustomReflectance>(&model)) {
-        return custom->roughness;
-    }
-    const auto* both = std::get_if<MetallicRoughness>(&model);
-    return both != nullptr ? both->roughness : 0;
-}
-
-// What metallic-roughness reflects at normal incidence.
-glm::dvec3 normalReflectance(const MetallicRoughness& material) {
-    return glm::mix(glm::dvec3(0.04), material.baseColor, material.metallic);
 }
 
 glm::dvec3 intoFrame(const glm::dvec3& v, const glm::dvec3& normal) {
@@ -55,19 +47,20 @@ bool isOnSide(const ShadingNormals& normals, const glm::dvec3& wi, bool through)
 }
 
 // Reflection at microfacets: [Walter07] (20) with the jacobian (14); i and o masked by the same heights [Heitz14].
-LobeValue evaluateReflection(const Lobe& lobe, const glm::dvec3& o, const glm::dvec3& i) {
+BsdfValue evaluateReflection(const Lobe& lobe, const glm::dvec3& o, const glm::dvec3& i) {
     const glm::dvec3 m = glm::normalize(o + i);
     const double cosMicro = glm::dot(o, m);
-    const bool isGlass = std::holds_alternative<Dielectric>(lobe.model);
     const glm::dvec3 F = facetReflectance(lobe, cosMicro);
+    const double taken = lobe.transmits ? F.x : 1.0; // where a path may be refracted instead
     const double G = 1 / (1 + smithLambda(o, lobe.alpha) + smithLambda(i, lobe.alpha));
     return {.f = F * (ggxDistribution(m, lobe.alpha) * G / (4 * o.z * i.z)),
-            .pdfW = (isGlass ? F.x : 1.0) * visibleNormalDensity(o, m, lobe.alpha) / (4 * cosMicro)};
+            .pdfW = taken * visibleNormalDensity(o, m, lobe.alpha) / (4 * cosMicro),
+            .reversePdfW = taken * visibleNormalDensity(i, m, lobe.alpha) / (4 * cosMicro)};
 }
 
 // Refraction: [Walter07] (21) with (16) and (17), both sides of (21) over the squared index of wi's side; masked
 // separately on the two sides.
-LobeValue evaluateRefraction(const Lobe& lobe, const glm::dvec3& o, const glm::dvec3& i, Transport transport) {
+BsdfValue evaluateRefraction(const Lobe& lobe, const glm::dvec3& o, const glm::dvec3& i, Transport transport) {
     glm::dvec3 m = glm::normalize(lobe.eta * o + i);
     if (m.z < 0) {
         m = -m;
@@ -79,17 +72,20 @@ LobeValue evaluateRefraction(const Lobe& lobe, const glm::dvec3& o, const glm::d
     }
     const double transmitted = 1 - fresnelDielectric(std::min(cosOut, 1.0), lobe.eta);
     const double jacobian = std::abs(cosIn) / std::pow(lobe.eta * cosOut + cosIn, 2);
+    const double reverseJacobian =
+        cosOut / std::pow(cosIn / lobe.eta + cosOut, 2); // of wo among what wi is refracted to
     const double D = ggxDistribution(m, lobe.alpha);
     const double G = smithG1(o, lobe.alpha) * smithG1(i, lobe.alpha);
     const double scale = transport == Transport::Radiance ? lobe.eta * lobe.eta : 1;
     return {.f = glm::dvec3(scale * transmitted * D * G * jacobian * cosOut / (o.z * std::abs(i.z))),
-            .pdfW = transmitted * visibleNormalDensity(o, m, lobe.alpha) * jacobian};
+            .pdfW = transmitted * visibleNormalDensity(o, m, lobe.alpha) * jacobian,
+            .reversePdfW = transmitted * visibleNormalDensity(-i, m, lobe.alpha) * reverseJacobian};
 }
 
-LobeSample sampleSmooth(const Lobe& lobe, const glm::dvec3& normal, const glm::dvec3& wo, double choice,
+BsdfSample sampleSmooth(const Lobe& lobe, const glm::dvec3& normal, const glm::dvec3& wo, double choice,
                         Transport transport) {
     const double cosOut = incidentCosine(-wo, normal);
-    if (std::holds_alternative<Dielectric>(lobe.model)) {
+    if (lobe.transmits) {
         const auto refracted = refract(-wo, normal, lobe.eta);
         if (refracted && choice >= fresnelDielectric(cosOut, lobe.eta)) {
             const double scale = transport == Transport::Radiance ? lobe.eta * lobe.eta : 1;
@@ -102,54 +98,46 @@ LobeSample sampleSmooth(const Lobe& lobe, const glm::dvec3& normal, const glm::d
 
 } // namespace
 
-std::optional<DiffusePart> diffusePart(const MaterialModel& model) {
-    if (const auto* diffuse = std::get_if<Diffuse>(&model)) {
-        return DiffusePart{.share = diffuse->albedo};
-    }
-    const auto* material = std::get_if<MetallicRoughness>(&model);
-    if (material == nullptr || (1 - material->metallic) * glm::length(material->baseColor) == 0) {
+double facetAlpha(double roughness) {
+    const double alpha = roughness * roughness;
+    return alpha >= double{shared::kSmoothAlpha} ? alpha : 0;
+}
+
+std::uint32_t lobeFlag(double roughness) {
+    return facetAlpha(roughness) > 0 ? shared::kBsdfGlossy : shared::kBsdfSpecular;
+}
+
+std::uint32_t bsdfFlags(const MaterialModel& material) {
+    const BsdfModel* model = modelOf(material);
+    return model != nullptr ? model->flags(material) : 0;
+}
+
+double DiffusePart::letThrough(double cosine) const {
+    return modelOf(material)->overDiffuse(material, cosine);
+}
+
+double DiffusePart::meanLetThrough() const {
+    return modelOf(material)->meanOverDiffuse(material);
+}
+
+std::optional<DiffusePart> diffusePart(const MaterialModel& material) {
+    if ((bsdfFlags(material) & shared::kBsdfDiffuse) == 0) {
         return std::nullopt;
     }
-    // [Shirley97a]: what enters the coat is 1 - F(cosIn), what leaves it the same of cosOut; 21/20 makes reflected and
-    // scattered light add up to all of it where the base is white.
-    return DiffusePart{.share = 21.0 / 20 * (1 - material->metallic) * material->baseColor *
-                                (1.0 - normalReflectance(*material)),
-                       .coated = true};
+    return DiffusePart{.material = material, .share = modelOf(material)->albedo(material)};
 }
 
 glm::dvec3 diffuseReflectance(const DiffusePart& diffuse, double cosOut, double cosIn) {
-    return diffuse.coated ? diffuse.share * (coatTransmission(cosOut) * coatTransmission(cosIn)) : diffuse.share;
+    return diffuse.share * (diffuse.letThrough(cosOut) * diffuse.letThrough(cosIn));
 }
 
-std::optional<Lobe> lobeOf(const MaterialModel& model, bool front) {
-    if (std::holds_alternative<Diffuse>(model)) {
-        return std::nullopt;
-    }
-    Lobe lobe{.model = model};
-    if (const auto* glass = std::get_if<Dielectric>(&model)) {
-        lobe.eta = front ? 1 / glass->ior : glass->ior;
-    }
-    const double alpha = roughnessOf(model) * roughnessOf(model);
-    lobe.alpha = alpha >= double{shared::kSmoothAlpha} ? alpha : 0;
-    return lobe;
+std::optional<Lobe> lobeOf(const MaterialModel& material, bool front) {
+    const BsdfModel* model = modelOf(material);
+    return model != nullptr && model->lobe != nullptr ? std::optional(model->lobe(material, front)) : std::nullopt;
 }
 
 glm::dvec3 facetReflectance(const Lobe& lobe, double cosine) {
-    const double c = std::clamp(cosine, 0.0, 1.0);
-    if (const auto* mirror = std::get_if<Mirror>(&lobe.model)) {
-        return mirror->reflectance;
-    }
-    if (const auto* metal = std::get_if<Conductor>(&lobe.model)) {
-        return {fresnelConductor(c, metal->eta.x, metal->k.x), fresnelConductor(c, metal->eta.y, metal->k.y),
-                fresnelConductor(c, metal->eta.z, metal->k.z)};
-    }
-    if (const auto* material = std::get_if<MetallicRoughness>(&lobe.model)) {
-        return 1.0 - (1.0 - normalReflectance(*material)) * coatTransmission(c);
-    }
-    if (const auto* custom = std::get_if<CustomReflectance>(&lobe.model)) {
-        return glm::clamp(customReflectanceTwin(*custom->code)(c, custom->parameters), 0.0, 1.0);
-    }
-    return glm::dvec3(fresnelDielectric(c, lobe.eta));
+    return modelOf(lobe.material)->reflectance(lobe, std::clamp(cosine, 0.0, 1.0));
 }
 
 double lobeProbability(const std::optional<Lobe>& lobe, const std::optional<DiffusePart>& diffuse, double cosOut) {
@@ -157,10 +145,10 @@ double lobeProbability(const std::optional<Lobe>& lobe, const std::optional<Diff
         return lobe ? 1 : 0;
     }
     const double reflected = mean(facetReflectance(*lobe, cosOut));
-    return reflected / (reflected + mean(diffuse->share) * coatTransmission(cosOut));
+    return reflected / (reflected + mean(diffuse->share) * diffuse->letThrough(cosOut));
 }
 
-std::optional<LobeSample> sampleLobe(const Lobe& lobe, const ShadingNormals& normals, const glm::dvec3& wo,
+std::optional<BsdfSample> sampleLobe(const Lobe& lobe, const ShadingNormals& normals, const glm::dvec3& wo,
                                      glm::dvec2 uv, double choice, Transport transport) {
     if (lobe.alpha == 0) {
         return sampleSmooth(lobe, normals.normal, wo, choice, transport);
@@ -170,8 +158,8 @@ std::optional<LobeSample> sampleLobe(const Lobe& lobe, const ShadingNormals& nor
         return std::nullopt;
     }
     const glm::dvec3 m = fromFrame(sampleVisibleNormal(o, lobe.alpha, uv), normals.normal);
-    LobeSample sample{.direction = reflect(-wo, m), .weight = {}};
-    if (std::holds_alternative<Dielectric>(lobe.model)) {
+    BsdfSample sample{.direction = reflect(-wo, m), .weight = {}};
+    if (lobe.transmits) {
         const auto refracted = refract(-wo, m, lobe.eta);
         sample.through = refracted && choice >= fresnelDielectric(incidentCosine(-wo, m), lobe.eta);
         sample.direction = sample.through ? *refracted : sample.direction;
@@ -179,7 +167,7 @@ std::optional<LobeSample> sampleLobe(const Lobe& lobe, const ShadingNormals& nor
     if (!isOnSide(normals, sample.direction, sample.through)) {
         return std::nullopt;
     }
-    const LobeValue value = evaluateLobe(lobe, normals, wo, sample.direction, transport);
+    const BsdfValue value = evaluateLobe(lobe, normals, wo, sample.direction, transport);
     if (value.pdfW <= 0) {
         return std::nullopt;
     }
@@ -188,7 +176,7 @@ std::optional<LobeSample> sampleLobe(const Lobe& lobe, const ShadingNormals& nor
     return sample;
 }
 
-LobeValue evaluateLobe(const Lobe& lobe, const ShadingNormals& normals, const glm::dvec3& wo, const glm::dvec3& wi,
+BsdfValue evaluateLobe(const Lobe& lobe, const ShadingNormals& normals, const glm::dvec3& wo, const glm::dvec3& wi,
                        Transport transport) {
     const glm::dvec3 o = intoFrame(wo, normals.normal);
     const glm::dvec3 i = intoFrame(wi, normals.normal);
@@ -199,7 +187,53 @@ LobeValue evaluateLobe(const Lobe& lobe, const ShadingNormals& normals, const gl
     if (!through) {
         return evaluateReflection(lobe, o, i);
     }
-    return std::holds_alternative<Dielectric>(lobe.model) ? evaluateRefraction(lobe, o, i, transport) : LobeValue{};
+    return lobe.transmits ? evaluateRefraction(lobe, o, i, transport) : BsdfValue{};
+}
+
+std::optional<BsdfSample> sampleBsdf(const MaterialModel& material, bool front, const ShadingNormals& normals,
+                                     const glm::dvec3& wo, glm::dvec2 uv, double choice, Transport transport) {
+    const std::optional<DiffusePart> diffuse = diffusePart(material);
+    const std::optional<Lobe> lobe = lobeOf(material, front);
+    const double cosOut = incidentCosine(-wo, normals.normal);
+    const double probability = lobeProbability(lobe, diffuse, cosOut);
+    std::optional<BsdfSample> sample;
+    double taken = probability;
+    if (choice < probability) {
+        sample = sampleLobe(*lobe, normals, wo, uv, choice / probability, transport);
+    } else if (diffuse) {
+        taken = 1 - probability;
+        const glm::dvec3 direction = cosineHemisphere(uv, normals.normal);
+        const double cosine = glm::dot(direction, normals.normal);
+        sample = BsdfSample{.direction = direction,
+                            .weight = diffuseReflectance(*diffuse, cosOut, cosine),
+                            .pdfW = cosine / std::numbers::pi};
+    }
+    if (sample) {
+        sample->weight /= taken;
+        sample->pdfW *= taken;
+    }
+    return sample;
+}
+
+BsdfValue evaluateBsdf(const MaterialModel& material, bool front, const ShadingNormals& normals, const glm::dvec3& wo,
+                       const glm::dvec3& wi, Transport transport) {
+    const std::optional<DiffusePart> diffuse = diffusePart(material);
+    const std::optional<Lobe> lobe = lobeOf(material, front);
+    const double cosOut = glm::dot(wo, normals.normal);
+    const double cosIn = glm::dot(wi, normals.normal);
+    BsdfValue value;
+    if (diffuse && cosOut > 0 && cosIn > 0) {
+        value.f = diffuseReflectance(*diffuse, cosOut, cosIn) / std::numbers::pi;
+        value.pdfW = (1 - lobeProbability(lobe, diffuse, cosOut)) * cosIn / std::numbers::pi;
+        value.reversePdfW = (1 - lobeProbability(lobe, diffuse, cosIn)) * cosOut / std::numbers::pi;
+    }
+    if (lobe && lobe->alpha > 0) {
+        const BsdfValue rough = evaluateLobe(*lobe, normals, wo, wi, transport);
+        value.f += rough.f;
+        value.pdfW += lobeProbability(lobe, diffuse, cosOut) * rough.pdfW;
+        value.reversePdfW += lobeProbability(lobe, diffuse, cosIn) * rough.reversePdfW;
+    }
+    return value;
 }
 
 } // namespace hyalite::reference

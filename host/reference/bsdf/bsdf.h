@@ -4,33 +4,33 @@
 // facet is lost.
 #pragma once
 
-#include "scene/model/scene.h"
+#include "reference/bsdf/bsdf_model.h"
 
 #include <glm/glm.hpp>
 #include <optional>
 
 namespace hyalite::reference {
 
+// kBsdf…: what the surface may do with light. The absorber's are 0.
+[[nodiscard]] std::uint32_t bsdfFlags(const MaterialModel& material);
+
+// What reflects diffusely, and what lies over it lets through.
 struct DiffusePart {
-    glm::dvec3 share;    // of the light reflected, but for the coat's factors on the way in and out
-    bool coated = false; // see coatTransmission
+    MaterialModel material;
+    glm::dvec3 share; // of the light reflected, but for what lies over it on the way in and out
+
+    [[nodiscard]] double letThrough(double cosine) const;
+    [[nodiscard]] double meanLetThrough() const; // of light that comes evenly from everywhere
 };
 
 // None where the material reflects nothing diffusely.
-[[nodiscard]] std::optional<DiffusePart> diffusePart(const MaterialModel& model);
+[[nodiscard]] std::optional<DiffusePart> diffusePart(const MaterialModel& material);
 
 // What the diffuse part reflects of light from a direction of cosine cosIn to one of cosine cosOut, times pi.
 [[nodiscard]] glm::dvec3 diffuseReflectance(const DiffusePart& diffuse, double cosOut, double cosIn);
 
-// A lobe seen from one side.
-struct Lobe {
-    MaterialModel model; // any but diffuse
-    double eta = 1;      // dielectric: index of this side over that of the other
-    double alpha = 0;    // of the GGX distribution; 0: smooth
-};
-
 // None where the material is diffuse alone. `front`: seen from the front.
-[[nodiscard]] std::optional<Lobe> lobeOf(const MaterialModel& model, bool front);
+[[nodiscard]] std::optional<Lobe> lobeOf(const MaterialModel& material, bool front);
 
 // Share of the light that a facet reflects.
 [[nodiscard]] glm::dvec3 facetReflectance(const Lobe& lobe, double cosine);
@@ -46,25 +46,34 @@ struct ShadingNormals {
 
 enum class Transport { Radiance, Flux }; // what crosses a boundary is scaled by the squared indices, or is not
 
-struct LobeSample {
+struct BsdfSample {
     glm::dvec3 direction;
     glm::dvec3 weight;    // f times cosine over density
-    double pdfW = 0;      // [1/sr]; 0: smooth, there is no other direction
+    double pdfW = 0;      // of the part that was taken [1/sr]; 0: smooth, there is no other direction
     bool through = false; // to the other side
 };
 
 // A direction for wi; none: absorbed. `choice` in [0, 1) decides between reflection and refraction, uv the facet.
-[[nodiscard]] std::optional<LobeSample> sampleLobe(const Lobe& lobe, const ShadingNormals& normals,
+[[nodiscard]] std::optional<BsdfSample> sampleLobe(const Lobe& lobe, const ShadingNormals& normals,
                                                    const glm::dvec3& wo, glm::dvec2 uv, double choice,
                                                    Transport transport);
 
-struct LobeValue {
-    glm::dvec3 f{0}; // [1/sr]
-    double pdfW = 0; // with which sampleLobe takes wi [1/sr]
+struct BsdfValue {
+    glm::dvec3 f{0};        // [1/sr]
+    double pdfW = 0;        // with which wi is sampled for wo [1/sr]
+    double reversePdfW = 0; // and wo for wi, seen from wi's side [1/sr]
 };
 
 // Of a rough lobe; 0 for directions that it never takes.
-[[nodiscard]] LobeValue evaluateLobe(const Lobe& lobe, const ShadingNormals& normals, const glm::dvec3& wo,
+[[nodiscard]] BsdfValue evaluateLobe(const Lobe& lobe, const ShadingNormals& normals, const glm::dvec3& wo,
                                      const glm::dvec3& wi, Transport transport);
+
+// The whole BSDF: a direction of one of its parts, its probability in weight and density, and what all of them make of
+// a pair of directions. A smooth lobe has no value and no density. uv: within the part, choice: which.
+[[nodiscard]] std::optional<BsdfSample> sampleBsdf(const MaterialModel& material, bool front,
+                                                   const ShadingNormals& normals, const glm::dvec3& wo, glm::dvec2 uv,
+                                                   double choice, Transport transport);
+[[nodiscard]] BsdfValue evaluateBsdf(const MaterialModel& material, bool front, const ShadingNormals& normals,
+                                     const glm::dvec3& wo, const glm::dvec3& wi, Transport transport);
 
 } // namespace hyalite::reference

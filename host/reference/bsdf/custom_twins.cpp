@@ -134,9 +134,9 @@ const CustomCode* textureWithoutTwin(const Scene& scene) {
 
 const CustomCode* reflectanceWithoutTwin(const Scene& scene) {
     for (const Material& material : scene.materials) {
-        const auto* custom = std::get_if<CustomReflectance>(&material.model);
-        if (custom != nullptr && customReflectanceTwin(*custom->code) == nullptr) {
-            return custom->code.get();
+        const CustomCode* code = material.model.code.get();
+        if (code != nullptr && customReflectanceTwin(*code) == nullptr) {
+            return code;
         }
     }
     return nullptr;

@@ -2,10 +2,10 @@
 // the same light by itself: the two are weighted by the densities with which they find it [Veach95].
 #include "reference/integrators/path.h"
 
-#include "reference/bsdf/materials.h"
 #include "reference/film/film.h"
 #include "reference/integrators/shading.h"
 #include "reference/lib/sampling.h"
+#include "reference/lights/receiver.h"
 
 #include <algorithm>
 #include <numbers>
@@ -40,8 +40,8 @@ std::optional<NextRay> bouncePath(const World& world, const VisiblePoint& x, con
         return std::nullopt;
     }
     const double cosine = glm::dot(direction, x.normal);
-    const double entering = x.coated ? coatTransmission(cosine) : 1;
-    const glm::dvec3 beta = (std::numbers::pi * entering) * x.f;
+    const Receiver receiver = receiverAt(x);
+    const glm::dvec3 beta = (std::numbers::pi * receiver.incident(cosine)) * receiver.f;
     const double survival = std::min(1.0, std::max({beta.x, beta.y, beta.z}));
     if (x.depth >= world.render.maxDepth ||
         sampleUnitSquare(sampler, shared::pathRoulette(vertex), shift).x >= survival) {

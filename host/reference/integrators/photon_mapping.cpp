@@ -3,9 +3,9 @@
 #include "reference/integrators/photon_mapping.h"
 
 #include "base/parallel.h"
-#include "reference/bsdf/materials.h"
 #include "reference/integrators/shading.h"
 #include "reference/lib/sampling.h"
+#include "reference/lights/receiver.h"
 #include "reference/photons/photons.h"
 #include "reference/photons/radiance_estimate.h"
 #include "reference/photons/shadow_photons.h"
@@ -54,7 +54,8 @@ PhotonMap computeIrradiance(const World& world, const PhotonMap& global) {
                                  .shadowOrigin = records[i].position,
                                  .normal = records[i].normal,
                                  .geometricNormal = records[i].normal,
-                                 .f = glm::dvec3(1),
+                                 .wo = records[i].normal,
+                                 .beta = glm::dvec3(1),
                                  .depth = 1,
                                  .samplerSeed = 0};
             records[i].power = estimateRadiance(global, x, globalOptions(world, kGlobalKinds)).radiance;
@@ -75,15 +76,16 @@ glm::dvec3 lookUp(const World& world, const PhotonMaps& maps, const VisiblePoint
     if (nearest.empty()) {
         return glm::dvec3(0);
     }
-    // The irradiance has no direction: as if it came from everywhere, of which a coat lets in 1 - 1/21, for 1/21 is the
-    // mean of 1 - coatTransmission over the hemisphere, weighted by the cosine
-    return y.f * maps.irradiance->photons()[nearest.front().index].power * (y.coated ? 20.0 / 21 : 1);
+    // The irradiance has no direction: as if it came evenly from everywhere
+    const Receiver receiver = receiverAt(y);
+    return receiver.f * maps.irradiance->photons()[nearest.front().index].power * receiver.meanIncident();
 }
 
 // One gathering ray brings f cos / pdf = f pi times the radiance it finds. Light it sees itself is direct light, and
 // light it sees in mirrors, through glass or on rough surfaces belongs to the caustics: none of it counts.
 glm::dvec3 finalGather(const World& world, const PhotonMaps& maps, const VisiblePoint& x, std::uint32_t pass) {
     const std::uint32_t rays = world.render.photonMap.gatherRays;
+    const Receiver receiver = receiverAt(x);
     glm::dvec3 L(0);
     for (std::uint32_t ray = 0; ray < rays; ++ray) {
         const std::uint32_t gather = shared::gatherPass(pass, rays, ray);
@@ -92,14 +94,14 @@ glm::dvec3 finalGather(const World& world, const PhotonMaps& maps, const Visible
         if (glm::dot(direction, x.geometricNormal) <= 0) {
             continue;
         }
-        const double entering = x.coated ? coatTransmission(glm::dot(direction, x.normal)) : 1;
-        followPath(world, {.origin = x.shadowOrigin, .direction = direction},
-                   {.beta = x.f * (pi * entering), .samplerSeed = sampler.seed}, 1, gather,
-                   [&](const Shading& shading) {
-                       if (shading.visible) {
-                           L += lookUp(world, maps, *shading.visible) / static_cast<double>(rays);
-                       }
-                   });
+        followPath(
+            world, {.origin = x.shadowOrigin, .direction = direction},
+            {.beta = receiver.f * (pi * receiver.incident(glm::dot(direction, x.normal))), .samplerSeed = sampler.seed},
+            1, gather, [&](const Shading& shading) {
+                if (shading.visible) {
+                    L += lookUp(world, maps, *shading.visible) / static_cast<double>(rays);
+                }
+            });
     }
     return L;
 }

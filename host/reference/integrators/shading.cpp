@@ -3,7 +3,7 @@
 #include "reference/integrators/shading.h"
 
 #include "reference/bsdf/bsdf.h"
-#include "reference/bsdf/materials.h"
+#include "reference/bsdf/interface.h"
 #include "reference/bsdf/medium.h"
 #include "reference/lib/sampling.h"
 #include "reference/textures/texture.h"
@@ -11,13 +11,12 @@
 #include "shaders/shared/limits.h"
 
 #include <algorithm>
-#include <numbers>
 
 namespace hyalite::reference {
 
 namespace {
 
-NextRay follow(const Surface& surface, const LobeSample& sample, const CameraPath& path, std::uint32_t samplerSeed) {
+NextRay follow(const Surface& surface, const BsdfSample& sample, const CameraPath& path, std::uint32_t samplerSeed) {
     const Material* beyond = surface.front ? surface.material : nullptr; // glass is entered at its front
     return {.ray = {.origin = leave(surface, sample.direction), .direction = sample.direction},
             .path = {.beta = path.beta * sample.weight,
@@ -60,8 +59,7 @@ double reflectionProbability(const World& world, const Surface& surface, const R
     }
     const auto leadsToLamp = [&](const std::optional<Ray>& way) {
         return way && std::ranges::any_of(world.lights, [&](const Light& light) {
-                   const auto* lamp = std::get_if<AreaLight>(&light.shape);
-                   return lamp != nullptr && looksAt(*lamp, way->origin, way->direction);
+                   return looksAt(light, way->origin, way->direction);
                });
     };
     constexpr double share{shared::kShareToLight};
@@ -134,17 +132,17 @@ void leaveByLobe(Shading& shading, const Surface& surface, const Ray& ray, const
     }
 }
 
-VisiblePoint visibleAt(const Surface& surface, const DiffusePart& diffuse, const CameraPath& path, std::uint32_t depth,
-                       double cosOut) {
-    const glm::dvec3 f = diffuseReflectance(diffuse, cosOut, 1) / std::numbers::pi; // straight in, through any coat
+VisiblePoint visibleAt(const Surface& surface, const MaterialModel& material, const glm::dvec3& wo,
+                       const CameraPath& path, std::uint32_t depth) {
     return {.position = surface.position,
             .shadowOrigin = leave(surface, surface.geometricNormal),
             .normal = surface.normal,
             .geometricNormal = surface.geometricNormal,
-            .f = path.beta * f,
+            .wo = wo,
+            .beta = path.beta,
+            .material = material,
             .depth = depth,
             .samplerSeed = path.samplerSeed,
-            .coated = diffuse.coated,
             .quad = surface.quad};
 }
 
@@ -193,13 +191,13 @@ Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const C
     CameraPath onward = path;
     if (diffuse && (both || choice >= probability)) {
         onward.beta = path.beta / (both ? 1 : 1 - probability);
-        shading.visible = visibleAt(surface, *diffuse, onward, depth, cosOut);
+        shading.visible = visibleAt(surface, model, -ray.direction, onward, depth);
     }
     // ppm limits the segments of the path, whitted the bounces between them.
     const std::uint32_t maxSegments = world.render.maxDepth + (whitted ? 1 : 0);
     if (lobe && depth < maxSegments && (both || choice < probability)) {
         onward.beta = path.beta / (both ? 1 : probability);
-        if (lobe->alpha > 0 || !std::holds_alternative<Dielectric>(lobe->model)) {
+        if (lobe->alpha > 0 || !lobe->transmits) {
             leaveByLobe(shading, surface, ray, *lobe, onward, depth, pass, choice);
         } else if (whitted) {
             shading.next = splitAtDielectric(surface, ray.direction, lobe->eta, path);

@@ -82,4 +82,47 @@ double EnvironmentLight::pdfW(const glm::dvec3& direction) const {
     return channelMean(radiance(direction)) / channelMean(integral_);
 }
 
+Offer offerTo(const glm::dvec3& receiver, const SurroundingLight& light, glm::dvec2 uv) {
+    const glm::dvec3 direction = light.map.sample(uv);
+    const double pdfW = light.map.pdfW(direction);
+    const glm::dvec3 way = kBeyond * direction;
+    return {.way = way,
+            .shadowEnd = receiver + way,
+            .irradiance = pdfW > 0 ? light.map.radiance(direction) / pdfW : glm::dvec3(0),
+            .pdfW = pdfW};
+}
+
+double pdfToward(const SurroundingLight& light, const glm::dvec3& direction, double /*distance*/,
+                 const glm::dvec3& /*lightNormal*/) {
+    return light.map.pdfW(direction);
+}
+
+LightRay emitFrom(const SurroundingLight& light, glm::dvec2 uOrigin, glm::dvec2 uDirection) {
+    const glm::dvec3 d = -light.map.sample(uDirection);
+    const StartDisc disc{light.sphere.center - light.sphere.distance * d, light.sphere.radius};
+    return {.origin = disc.point(d, uOrigin), .direction = d, .pdfOrigin = 1 / disc.area()};
+}
+
+double emissionDensity(const SurroundingLight& light, const glm::dvec3& /*normal*/, const glm::dvec3& direction) {
+    return light.map.pdfW(-direction);
+}
+
+double emissionCosine(const SurroundingLight& /*light*/) {
+    return -1;
+}
+
+std::optional<StartDisc> startDisc(const SurroundingLight& light) {
+    return StartDisc{light.sphere.center, light.sphere.radius};
+}
+
+glm::dvec3 rayPower(const SurroundingLight& light, const glm::dvec3& direction) {
+    const double pdfW = light.map.pdfW(-direction);
+    const double discArea = pi * light.sphere.radius * light.sphere.radius;
+    return pdfW > 0 ? light.map.radiance(-direction) * (discArea / pdfW) : glm::dvec3(0);
+}
+
+glm::dvec3 fluxOf(const SurroundingLight& light) {
+    return pi * light.sphere.radius * light.sphere.radius * light.map.integral();
+}
+
 } // namespace hyalite::reference

@@ -2,9 +2,12 @@
 // from it. The middle of the image is seen along -z, its upper edge is +y.
 #pragma once
 
+#include "reference/lights/light_sample.h"
+#include "scene/model/bounds.h"
 #include "scene/model/scene.h"
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 namespace hyalite::reference {
@@ -34,5 +37,24 @@ private:
     std::vector<double> rowCdf_;                 // 1 for the last
     std::vector<std::vector<double>> columnCdf_; // of each row; likewise
 };
+
+// The environment, and the sphere that its photons are aimed at.
+struct SurroundingLight {
+    EnvironmentLight map;
+    LightSphere sphere;
+};
+
+// See light_sample.h.
+[[nodiscard]] Offer offerTo(const glm::dvec3& receiver, const SurroundingLight& light, glm::dvec2 uv);
+[[nodiscard]] double pdfToward(const SurroundingLight& light, const glm::dvec3& direction, double distance,
+                               const glm::dvec3& lightNormal);
+[[nodiscard]] LightRay emitFrom(const SurroundingLight& light, glm::dvec2 uOrigin, glm::dvec2 uDirection);
+[[nodiscard]] double emissionDensity(const SurroundingLight& light, const glm::dvec3& normal,
+                                     const glm::dvec3& direction);
+[[nodiscard]] double emissionCosine(const SurroundingLight& light);
+[[nodiscard]] std::optional<StartDisc> startDisc(const SurroundingLight& light);
+// Flux [W] of the light if all that it emits were like its rays in `direction`.
+[[nodiscard]] glm::dvec3 rayPower(const SurroundingLight& light, const glm::dvec3& direction);
+[[nodiscard]] glm::dvec3 fluxOf(const SurroundingLight& light);
 
 } // namespace hyalite::reference

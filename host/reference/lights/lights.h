@@ -2,8 +2,12 @@
 #pragma once
 
 #include "reference/lib/sampling.h"
-#include "reference/lights/area_lights.h"
+#include "reference/lights/area.h"
+#include "reference/lights/directional.h"
 #include "reference/lights/environment.h"
+#include "reference/lights/light_sample.h"
+#include "reference/lights/point.h"
+#include "reference/lights/spot.h"
 #include "reference/shapes/geometry.h"
 #include "scene/model/bounds.h"
 #include "scene/model/scene.h"
@@ -18,21 +22,7 @@ namespace hyalite::reference {
 struct World;
 struct PhotonPass;
 
-// Light of one direction, from a disc across it.
-struct ParallelLight {
-    glm::dvec3 direction;      // unit, where the light goes
-    glm::dvec3 irradiance;     // of a surface that faces it [W/m^2]
-    bool isEverywhere = false; // lights what the disc does not cover too, and comes from beyond the scene
-    glm::dvec3 center{0};      // of the disc [m]
-    double radius = 0;         // of the disc [m]
-};
-
-// Light from beyond the scene, and the sphere that its photons are aimed at.
-struct SurroundingLight {
-    EnvironmentLight map;
-    LightSphere sphere;
-};
-
+// The list of lights: each type has a file of its own, see light_sample.h.
 struct Light {
     std::variant<PointLight, SpotLight, ParallelLight, SurroundingLight, AreaLight> shape;
     glm::dvec3 power; // flux [W]: 4 pi I of a point, pi A L of a surface; the others: see makeLights
@@ -51,21 +41,21 @@ struct Light {
 // The first light with x < cdf; x in [0, 1). Some light must emit.
 [[nodiscard]] std::uint32_t chooseLight(const std::vector<Light>& lights, double x);
 
-// Where a camera path first meets a diffuse surface: there the lights are sampled and the photons are gathered.
+// Where a camera path ends at a diffuse surface: there the lights are sampled, the photons are gathered and the BSDF is
+// evaluated (reference/lights/receiver.h).
 struct VisiblePoint {
     glm::dvec3 position;        // world [m]
     glm::dvec3 shadowOrigin;    // the same, moved off the surface to the side the path came from [m]
     glm::dvec3 normal;          // unit, for shading, on that side
     glm::dvec3 geometricNormal; // unit, on that side
-    glm::dvec3 f;               // path throughput times the BRDF [1/sr]
-    std::uint32_t depth = 0;    // segments from the camera to here
+    glm::dvec3 wo;              // unit, to where the path came from
+    glm::dvec3 beta;            // path throughput, probability of the diffuse part divided out
+    // With its textures multiplied in; none: the irradiance is asked for.
+    std::optional<MaterialModel> material = std::nullopt;
+    std::uint32_t depth = 0; // segments from the camera to here
     std::uint32_t samplerSeed = 0;
-    bool coated = false;        // f is to be multiplied by coatTransmission of the angle of incidence
     const Quad* quad = nullptr; // of the world: the parallelogram that this is on; nullptr: another shape
 };
-
-// Ends of shadow rays to lights beyond the scene are so far away [m].
-inline constexpr double kBeyond = 1e30;
 
 // Which light is sampled, with which numbers: the light named, with a sequence of its own (whitted sums over all of
 // them), or one picked by the pmf (ppm).
@@ -109,23 +99,6 @@ struct LightSample {
 [[nodiscard]] double lightPdf(const Light& light, const glm::dvec3& receiver, const glm::dvec3& direction,
                               double distance, const glm::dvec3& lightNormal);
 
-// How a photon leaves a light. The density of the whole ray is that of the origin times that of the direction given the
-// origin; where light is parallel or comes from beyond the scene, of the direction times that of the origin.
-struct LightRay {
-    glm::dvec3 origin;       // world, on the light [m]
-    glm::dvec3 direction;    // unit
-    glm::dvec3 normal{0};    // unit, of the light at the origin; zero where it has no surface
-    double offset = 0;       // along the normal: the ray starts so far off the light [m]
-    glm::dvec3 power{0};     // flux [W] of the light if all its photons were like this one
-    double pdfDirection = 0; // [1/sr], given the origin; 0: the origin was chosen for the direction
-    double pdfOrigin = 0;    // [1/m^2] across the direction and given it; 0: the direction was chosen for the origin
-};
-
-// Where a ray of the light's starts [m].
-[[nodiscard]] inline glm::dvec3 startOf(const LightRay& ray) {
-    return ray.origin + ray.offset * ray.normal;
-}
-
 // A ray of the light's photons, with a density in proportion to the flux.
 [[nodiscard]] LightRay emitFrom(const Light& light, glm::dvec2 uOrigin, glm::dvec2 uDirection);
 
@@ -139,6 +112,12 @@ struct LightRay {
 // Density [1/m^2], across `direction`, with which emitFrom starts its rays of this direction on the line through
 // `point`; 0 for lights that choose the origin first. Of parallel light the direction must be its own.
 [[nodiscard]] double originDensity(const Light& light, const glm::dvec3& point, const glm::dvec3& direction);
+
+// Cosine of the half-angle of the cone that holds all directions of the light from one of its points.
+[[nodiscard]] double emissionCosine(const Light& light);
+
+// Does a ray that nothing stops see the front of an emitting quad, disk or sphere? Never that of a mesh.
+[[nodiscard]] bool looksAt(const Light& light, const glm::dvec3& origin, const glm::dvec3& direction);
 
 struct Emission {
     Ray ray;

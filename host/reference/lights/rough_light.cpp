@@ -13,7 +13,7 @@ std::optional<LightSample> sampleRoughLight(const World& world, const RoughPoint
                       {.depth = x.depth, .samplerSeed = x.samplerSeed, .pass = pass, .light = light, .shift = shift});
     const glm::dvec3& wi = arrival.direction;
     const ShadingNormals normals{x.surface.normal, x.surface.geometricNormal};
-    const LobeValue value = evaluateLobe(x.lobe, normals, x.wo, wi, Transport::Radiance);
+    const BsdfValue value = evaluateLobe(x.lobe, normals, x.wo, wi, Transport::Radiance);
     const double weight = arrival.pdfW > 0 ? powerHeuristic(arrival.pdfW, value.pdfW) : 1;
     const glm::dvec3 contribution =
         x.beta * value.f * arrival.irradiance * (weight * std::abs(glm::dot(wi, x.surface.normal)));

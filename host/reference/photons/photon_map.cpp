@@ -1,7 +1,7 @@
 // The map is a kd-tree of the nanoflann library over the photons' positions.
 #include "reference/photons/photon_map.h"
 
-#include "reference/bsdf/materials.h"
+#include "reference/lights/receiver.h"
 
 #include <algorithm>
 #include <array>
@@ -162,6 +162,7 @@ double discOnQuad(const Quad& quad, const glm::dvec3& center, double radius) {
 }
 
 glm::dvec3 gatherRadiance(const PhotonMap& map, const VisiblePoint& x, double radius, std::uint32_t maxDepth) {
+    const Receiver receiver = receiverAt(x);
     glm::dvec3 power(0);
     for (const std::uint32_t index : map.near(x.position, radius)) {
         const Photon& photon = map.photons()[index];
@@ -170,10 +171,10 @@ glm::dvec3 gatherRadiance(const PhotonMap& map, const VisiblePoint& x, double ra
         const bool sameSide = glm::dot(photon.direction, x.normal) > 0;
         if (inPlane && sameSurface && sameSide && photon.depth + x.depth <= maxDepth) {
             const double cosIn = glm::dot(photon.direction, x.normal);
-            power += photon.power * (x.coated ? coatTransmission(cosIn) : 1);
+            power += photon.power * receiver.incident(cosIn);
         }
     }
-    return x.f * power / (x.quad != nullptr ? discOnQuad(*x.quad, x.position, radius) : pi * radius * radius);
+    return receiver.f * power / (x.quad != nullptr ? discOnQuad(*x.quad, x.position, radius) : pi * radius * radius);
 }
 
 } // namespace hyalite::reference

@@ -3,7 +3,7 @@
 
 #include "base/parallel.h"
 #include "reference/bsdf/bsdf.h"
-#include "reference/bsdf/materials.h"
+#include "reference/bsdf/interface.h"
 #include "reference/bsdf/medium.h"
 #include "reference/lib/sampling.h"
 #include "reference/lights/lights.h"
@@ -85,7 +85,7 @@ PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, 
     const glm::dvec2 uv = sampleUnitSquare(sampler, shared::photonBounce(depth - 1));
     const double cosIn = incidentCosine(ray.direction, surface.normal);
     const double probability = lobeProbability(lobe, diffuse, cosIn);
-    std::optional<LobeSample> sample;
+    std::optional<BsdfSample> sample;
     if (xy.y < probability) {
         const ShadingNormals normals{surface.normal, surface.geometricNormal};
         sample = sampleLobe(*lobe, normals, -ray.direction, uv, xy.y, Transport::Flux);
@@ -95,7 +95,7 @@ PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, 
     } else if (isWanted(PhotonKind::Indirect, pass)) {
         const glm::dvec3 direction = cosineHemisphere(uv, surface.normal);
         const glm::dvec3 weight = diffuseReflectance(*diffuse, cosIn, glm::dot(direction, surface.normal));
-        sample = LobeSample{.direction = direction, .weight = weight};
+        sample = BsdfSample{.direction = direction, .weight = weight};
         scatter.path.kind = PhotonKind::Indirect;
     }
     if (sample &&

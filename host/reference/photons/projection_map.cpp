@@ -25,22 +25,14 @@ struct Cone {
     [[nodiscard]] bool contains(const glm::dvec3& direction) const { return glm::dot(direction, axis) >= cosine; }
 };
 
-// Of the cone that the light shines into.
-double ownCosine(const Light& light) {
-    if (const auto* spot = std::get_if<SpotLight>(&light.shape)) {
-        return std::cos(glm::radians(spot->angle));
-    }
-    return std::holds_alternative<AreaLight>(light.shape) ? 0 : -1;
-}
-
 Cone coneAround(const BoundingSphere& target, const Light& light, const glm::dvec3& point) {
     const glm::dvec3 way = target.center - point;
     const double distance = glm::length(way);
     const double sine = target.radius / distance;
     const double cosine = std::sqrt(std::max(0.0, 1 - sine * sine));
     // From a point inside the sphere, or almost, it is all around
-    if (!(target.radius * 1.0001 < distance) || !(cosine > ownCosine(light))) {
-        return {.cosine = ownCosine(light), .everything = true};
+    if (!(target.radius * 1.0001 < distance) || !(cosine > emissionCosine(light))) {
+        return {.cosine = emissionCosine(light), .everything = true};
     }
     return {.axis = way / distance, .cosine = cosine};
 }

@@ -1,6 +1,6 @@
 #include "reference/photons/radiance_estimate.h"
 
-#include "reference/bsdf/materials.h"
+#include "reference/lights/receiver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ constexpr std::size_t kFirstCheck = 8;    // photons
 struct Found {
     double distance = 0; // [m]
     double height = 0;   // off the tangent plane [m]
-    glm::dvec3 power{0}; // of which a coat lets in [W]
+    glm::dvec3 power{0}; // what of it reaches the diffuse part [W]
 };
 
 struct Disc {
@@ -30,7 +30,8 @@ struct Disc {
     std::size_t count = 0; // photons nearer than that
 };
 
-std::vector<Found> findPhotons(const PhotonMap& map, const VisiblePoint& x, const RadianceEstimateOptions& options) {
+std::vector<Found> findPhotons(const PhotonMap& map, const VisiblePoint& x, const Receiver& receiver,
+                               const RadianceEstimateOptions& options) {
     const auto counts = [&](const Photon& photon) {
         return glm::dot(photon.normal, x.normal) > 0.5 && glm::dot(photon.direction, x.normal) > 0 &&
                (options.kinds >> static_cast<std::uint32_t>(photon.kind) & 1U) != 0 &&
@@ -39,7 +40,7 @@ std::vector<Found> findPhotons(const PhotonMap& map, const VisiblePoint& x, cons
     std::vector<Found> found;
     for (const auto& [distance2, index] : map.nearest(x.position, options.nearest, options.radius, counts)) {
         const Photon& photon = map.photons()[index];
-        const double entering = x.coated ? coatTransmission(glm::dot(photon.direction, x.normal)) : 1;
+        const double entering = receiver.incident(glm::dot(photon.direction, x.normal));
         found.push_back({.distance = std::sqrt(distance2),
                          .height = std::abs(glm::dot(photon.position - x.position, x.geometricNormal)),
                          .power = photon.power * entering});
@@ -117,7 +118,8 @@ double meanFilterWeight(const RadianceEstimateOptions& options) {
 }
 
 RadianceEstimate estimateRadiance(const PhotonMap& map, const VisiblePoint& x, const RadianceEstimateOptions& options) {
-    const std::vector<Found> found = findPhotons(map, x, options);
+    const Receiver receiver = receiverAt(x);
+    const std::vector<Found> found = findPhotons(map, x, receiver, options);
     Disc disc{.radius = options.radius, .count = found.size()};
     if (found.size() == options.nearest) {
         disc = {.radius = std::max(found.back().distance, kLeastDisc * options.radius), .count = found.size() - 1};
@@ -132,7 +134,7 @@ RadianceEstimate estimateRadiance(const PhotonMap& map, const VisiblePoint& x, c
         }
     }
     const double area = std::numbers::pi * disc.radius * disc.radius;
-    return {.radiance = x.f * power / (meanFilterWeight(options) * area), .radius = disc.radius};
+    return {.radiance = receiver.f * power / (meanFilterWeight(options) * area), .radius = disc.radius};
 }
 
 } // namespace hyalite::reference

@@ -52,19 +52,6 @@ dvec3 evaluate(const CustomTexture& texture, const dvec2& uv, const dvec3& posit
     return glm::clamp(twin(position, uv, texture.parameters), 0.0, 1.0);
 }
 
-void multiplyColor(Diffuse& model, const dvec3& factor) {
-    model.albedo *= factor;
-}
-void multiplyColor(Mirror& model, const dvec3& factor) {
-    model.reflectance *= factor;
-}
-void multiplyColor(MetallicRoughness& model, const dvec3& factor) {
-    model.baseColor *= factor;
-}
-void multiplyColor(Dielectric& /*has none*/, const dvec3& /*factor*/) {}
-void multiplyColor(Conductor& /*has none*/, const dvec3& /*factor*/) {}
-void multiplyColor(CustomReflectance& /*has none*/, const dvec3& /*factor*/) {}
-
 } // namespace
 
 dvec3 evaluateTexture(const TextureModel& texture, const dvec2& uv, const dvec3& position) {
@@ -77,13 +64,12 @@ MaterialModel texturedModel(const World& world, const Surface& surface) {
     };
     MaterialModel model = surface.material->model;
     if (const auto texture = surface.material->colorTexture) {
-        std::visit([factor = valueOf(*texture)](auto& m) { multiplyColor(m, factor); }, model);
+        model.color *= valueOf(*texture);
     }
-    auto* rough = std::get_if<MetallicRoughness>(&model);
-    if (rough != nullptr && surface.material->roughnessTexture) {
-        const dvec3 factors = valueOf(*surface.material->roughnessTexture);
-        rough->roughness *= factors.g;
-        rough->metallic *= factors.b;
+    if (const auto texture = surface.material->roughnessTexture) {
+        const dvec3 factors = valueOf(*texture);
+        model.roughness *= factors.g;
+        model.metallic *= factors.b;
     }
     return model;
 }

@@ -32,9 +32,11 @@ PhotonMaps::PhotonMaps(Device& device, const Scene& scene, const DeviceScene& de
       globalRadius_(static_cast<float>(globalSearchRadius(scene))),
       causticRadius_(static_cast<float>(causticSearchRadius(scene))), global_(device, settings_.structure),
       caustic_(device, settings_.structure), shadow_(device, settings_.structure),
-      irradiance_(device, settings_.structure), estimateGlobal_(device, settings_.structure, settings_.nearest),
-      estimateCaustics_(device, settings_.structure, settings_.causticNearest),
-      lookUpIrradiance_(device.kernel("look_up_irradiance", searchOf(settings_.structure, 1))),
+      irradiance_(device, settings_.structure),
+      estimateGlobal_(device, deviceScene, settings_.structure, settings_.nearest),
+      estimateCaustics_(device, deviceScene, settings_.structure, settings_.causticNearest),
+      lookUpIrradiance_(
+          device.kernel("look_up_irradiance", searchOf(settings_.structure, 1, deviceScene.specialization))),
       classifyVisibility_(device.kernel("classify_visibility", searchOf(settings_.structure, classifiedNearest()))) {}
 
 void PhotonMaps::trace() {
@@ -150,9 +152,10 @@ void PhotonMaps::estimateCaustics(const gpu::Array<shared::VisiblePoint>& x, con
 void PhotonMaps::addIrradiance(const gpu::Array<shared::VisiblePoint>& y, const gpu::Array<glm::vec3>& gathered,
                                float scale) const {
     const auto count = static_cast<std::uint32_t>(y.count());
-    device_.commands.run(
-        lookUpIrradiance_,
-        shared::LookUpIrradianceArguments{y, gathered, irradiance_.record(), globalRadius_, scale, count}, count);
+    device_.commands.run(lookUpIrradiance_,
+                         shared::LookUpIrradianceArguments{y, deviceScene_.materials, gathered, irradiance_.record(),
+                                                           globalRadius_, scale, count},
+                         count);
 }
 
 std::uint32_t PhotonMaps::classifiedNearest() const {

@@ -27,9 +27,10 @@ std::uint32_t heapCapacity(std::uint32_t nearest, std::uint32_t least) {
     return std::max(kLeast, std::bit_ceil(nearest));
 }
 
-gpu::Specialization specialized(PhotonStructure structure, std::uint32_t capacity) {
-    return {{"kNearestCapacity", capacity},
-            {"kPhotonStructure", structure == PhotonStructure::Tree ? shared::kPhotonTree : shared::kPhotonGrid}};
+gpu::Specialization specialized(PhotonStructure structure, std::uint32_t capacity, gpu::Specialization constants = {}) {
+    constants["kNearestCapacity"] = capacity;
+    constants["kPhotonStructure"] = structure == PhotonStructure::Tree ? shared::kPhotonTree : shared::kPhotonGrid;
+    return constants;
 }
 
 std::uint32_t filterNumber(PhotonFilter filter) {
@@ -48,8 +49,8 @@ std::uint32_t filterNumber(PhotonFilter filter) {
 
 } // namespace
 
-gpu::Specialization searchOf(PhotonStructure structure, std::uint32_t nearest) {
-    return specialized(structure, heapCapacity(nearest, 1));
+gpu::Specialization searchOf(PhotonStructure structure, std::uint32_t nearest, const gpu::Specialization& constants) {
+    return specialized(structure, heapCapacity(nearest, 1), constants);
 }
 
 NearestPhotons::NearestPhotons(const Device& device, PhotonStructure structure, std::uint32_t nearest)
@@ -65,19 +66,21 @@ void NearestPhotons::run(Device& device, const shared::PhotonMapRecord& map, sha
                         count);
 }
 
-RadianceEstimate::RadianceEstimate(const Device& device, PhotonStructure structure, std::uint32_t nearest)
-    : capacity_(heapCapacity(nearest, 2)),
-      estimateRadiance_(device.kernel("estimate_radiance", specialized(structure, capacity_))) {}
+RadianceEstimate::RadianceEstimate(const Device& device, const DeviceScene& deviceScene, PhotonStructure structure,
+                                   std::uint32_t nearest)
+    : deviceScene_(deviceScene), capacity_(heapCapacity(nearest, 2)),
+      estimateRadiance_(
+          device.kernel("estimate_radiance", specialized(structure, capacity_, deviceScene.specialization))) {}
 
 void RadianceEstimate::run(Device& device, const shared::PhotonMapRecord& map, shared::VisiblePointArray points,
                            std::uint32_t count, const PhotonSearch& search, const PhotonDensity& density,
                            shared::ColorArray gathered, shared::FloatArray radii) const {
     checkNearest(search.nearest, 2, capacity_);
     device.commands.run(estimateRadiance_,
-                        shared::EstimateRadianceArguments{points, map, gathered, radii, search.radius,
-                                                          density.coneConstant, density.maxChange, search.nearest,
-                                                          search.kinds, filterNumber(density.filter), count,
-                                                          search.maxDepth, search.width},
+                        shared::EstimateRadianceArguments{points, deviceScene_.materials, map, gathered, radii,
+                                                          search.radius, density.coneConstant, density.maxChange,
+                                                          search.nearest, search.kinds, filterNumber(density.filter),
+                                                          count, search.maxDepth, search.width},
                         count);
 }
 

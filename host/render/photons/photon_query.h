@@ -2,6 +2,7 @@
 // themselves.
 #pragma once
 
+#include "render/upload/device_scene.h"
 #include "render/wavefront/device.h"
 #include "scene/model/scene.h"
 
@@ -13,7 +14,8 @@ using hyalite::PhotonFilter;
 using hyalite::PhotonStructure;
 
 // What a kernel that searches photon maps is specialised to: the structure, and room for `nearest` photons.
-[[nodiscard]] gpu::Specialization searchOf(PhotonStructure structure, std::uint32_t nearest);
+[[nodiscard]] gpu::Specialization searchOf(PhotonStructure structure, std::uint32_t nearest,
+                                           const gpu::Specialization& constants = {});
 
 // Which photons a search takes.
 struct PhotonSearch {
@@ -48,8 +50,10 @@ private:
 // Estimates reflected radiance from the nearest photons.
 class RadianceEstimate {
 public:
-    // `nearest`: at least 2; one photon makes a disc and leaves none to count in it. Throws Error(BadInput) otherwise.
-    RadianceEstimate(const Device& device, PhotonStructure structure, std::uint32_t nearest);
+    // A reference to the scene is kept. `nearest`: at least 2; one photon makes a disc and leaves none to count in it.
+    // Throws Error(BadInput) otherwise.
+    RadianceEstimate(const Device& device, const DeviceScene& deviceScene, PhotonStructure structure,
+                     std::uint32_t nearest);
 
     // Records the estimate at `count` points: radiance [W/(m^2 sr)] and the radius of the disc that it comes from [m].
     void run(Device& device, const shared::PhotonMapRecord& map, shared::VisiblePointArray points, std::uint32_t count,
@@ -57,6 +61,7 @@ public:
              shared::FloatArray radii) const;
 
 private:
+    const DeviceScene& deviceScene_;
     std::uint32_t capacity_;
     gpu::Kernel estimateRadiance_;
 };

@@ -51,8 +51,8 @@ std::map<std::string, std::string> customCode(const Scene& scene) {
                      "vec3 customTexture(uint number, vec3 position, vec2 uv, vec4 parameters)");
     Dispatcher reflectances;
     for (const Material& material : scene.materials) {
-        if (const auto* custom = std::get_if<CustomReflectance>(&material.model)) {
-            reflectances.add(*custom->code, "(cosine, parameters)");
+        if (material.model.code != nullptr) {
+            reflectances.add(*material.model.code, "(cosine, parameters)");
         }
     }
     reflectances.putInto(texts, "bsdf/custom_reflectance.glsl",

@@ -1,8 +1,8 @@
 #include "render/upload/device_scene.h"
 
 #include "geometry/specular_targets.h"
-#include "render/upload/light_table.h"
-#include "render/upload/material_table.h"
+#include "kinds/lights/light_table.h"
+#include "kinds/materials/material_table.h"
 #include "render/upload/mesh_tables.h"
 #include "render/upload/object_table.h"
 #include "render/upload/texture_table.h"
@@ -87,9 +87,9 @@ void uploadTextures(const gpu::Context& context, gpu::TexelTables& tables, const
 
 DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, const Scene& scene) {
     MeshTables meshes = buildMeshTables(scene.meshes);
-    LightTable lights = buildLightTable(scene);
+    kinds::LightTable lights = kinds::buildLightTable(scene);
     ObjectTable objects = buildObjectTable(scene, meshes.roots, lights.firstEmitter, meshes.geometry);
-    const MaterialTable materials = buildMaterialTable(scene.materials);
+    const kinds::MaterialTable materials = kinds::buildMaterialTable(scene.materials);
 
     std::vector<shared::TargetRecord> targets;
     for (const BoundingSphere& sphere : specularTargets(scene)) {
@@ -108,7 +108,7 @@ DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, c
     device.lightTriangles = {context, std::span<const shared::LightTriangle>(lights.triangles), "emitting triangles"};
     device.lightTexels = {context, std::span<const vec3>(lights.texels), "environment"};
     device.lightCdfs = {context, std::span<const float>(lights.cdfs), "parts of lights"};
-    setAddresses(lights.lights, device.lightTriangles, device.lightTexels, device.lightCdfs);
+    kinds::setAddresses(lights.lights, device.lightTriangles, device.lightTexels, device.lightCdfs);
     device.lights = {context, std::span<const shared::LightRecord>(lights.lights), "lights"};
     device.instances = {context, std::span<const shared::InstanceRecord>(objects.instances), "instances"};
     device.normals = upload(context, meshes.normals, "normals");

@@ -16,9 +16,9 @@ void LightSampler::sample(const gpu::Array<shared::VisiblePoint>& visiblePoints,
                           std::uint32_t pass, std::uint32_t maxDepth, std::uint32_t bounceDepth) {
     const auto count = static_cast<std::uint32_t>(shadowRays_.count());
     device_.commands.run(sampleLights_,
-                         shared::SampleLightsArguments{visiblePoints, deviceScene_.lights, shadowRays_, contributions_,
-                                                       count, deviceScene_.lightCount, light, pass, maxDepth,
-                                                       bounceDepth, deviceScene_.widthOf(count)},
+                         shared::SampleLightsArguments{visiblePoints, deviceScene_.materials, deviceScene_.lights,
+                                                       shadowRays_, contributions_, count, deviceScene_.lightCount,
+                                                       light, pass, maxDepth, bounceDepth, deviceScene_.widthOf(count)},
                          count);
 }
 

@@ -14,8 +14,8 @@ std::uint32_t RoughLight::sample(shared::RoughPointArray points, shared::ColorAr
         return 0;
     }
     device_.commands.run(*sampleRoughLights_,
-                         shared::SampleRoughLightsArguments{points, deviceScene_.lights, direct, count,
-                                                            deviceScene_.lightCount, light, pass,
+                         shared::SampleRoughLightsArguments{points, deviceScene_.materials, deviceScene_.lights, direct,
+                                                            count, deviceScene_.lightCount, light, pass,
                                                             deviceScene_.rootNode},
                          count);
     return count;

@@ -2,6 +2,7 @@
 #include "scene/load/load_scene.h"
 
 #include "base/input_file.h"
+#include "kinds/lights/area.h"
 #include "scene/load/read_lights.h"
 #include "scene/load/read_materials.h"
 #include "scene/load/read_shapes.h"
@@ -22,7 +23,6 @@ namespace hyalite {
 namespace {
 
 constexpr Range kCopies{1, kMostCopies};
-constexpr Range kRadiance{0, kLargestEmission, true, true, "W/(m^2 sr)"};
 
 void checkVersion(const Value& version) {
     if (version.node().kind != YamlNode::Kind::Scalar || version.node().text != "1") {
@@ -41,18 +41,6 @@ void readMaterials(const Value& value, Scene& scene) {
     const Reader map(value); // for its check that this is a map: the keys are names of the user's choice
     for (const YamlEntry& entry : map.map().node().entries) {
         scene.materials.push_back(readMaterial(Value(*entry.value, value.file(), entry.key), scene));
-    }
-}
-
-// Spheres that a transform has made ellipsoids cannot.
-void checkEmission(const Value& emission, const Shape& shape, const Scene& scene) {
-    if (const auto* instance = std::get_if<MeshInstance>(&shape)) {
-        if (!(worldArea(scene.meshes[instance->mesh], instance->objectToWorld) > 0)) {
-            emission.fail("this mesh has no area to emit light from");
-        }
-    } else if (!std::holds_alternative<Quad>(shape) && !std::holds_alternative<Disk>(shape) &&
-               !std::holds_alternative<Sphere>(shape)) {
-        emission.fail("only quads, disks, spheres and meshes can emit light", "use one of these, or a point light");
     }
 }
 
@@ -93,12 +81,7 @@ std::vector<Object> readCopy(const Value& value, const glm::dmat4& place, Scene&
     if (const auto name = reader.find("material")) {
         around.material = findMaterial(*name, scene);
     }
-    glm::dvec3 radiance(0);
-    const auto emission = reader.find("emission");
-    if (emission) {
-        emission->readColor(radiance, kRadiance);
-    }
-    const double photonShare = readPhotonShare(reader);
+    const kinds::Emission emission = kinds::readEmission(reader);
     reader.finish();
     Object whole = readShape(shape, around);
     if (parts.empty()) {
@@ -106,13 +89,13 @@ std::vector<Object> readCopy(const Value& value, const glm::dmat4& place, Scene&
     }
     for (Object& object : parts) {
         object.where = reader.where();
-        object.emission = radiance;
-        object.photonShare = photonShare;
-        if (emission) {
-            checkEmission(*emission, object.shape, scene);
+        object.emission = emission.radiance;
+        object.photonShare = emission.photonShare;
+        if (emission.where) {
+            kinds::checkEmission(*emission.where, object.shape, scene);
         }
         // The shapes within a csg have answered for themselves
-        if (!object.material && !emission && !std::holds_alternative<Csg>(object.shape)) {
+        if (!object.material && !emission.where && !std::holds_alternative<Csg>(object.shape)) {
             value.fail("this object has neither a material nor an emission",
                        "for a black object use a diffuse material of albedo 0");
         }

@@ -11,7 +11,4 @@ namespace hyalite {
 // One item of `lights:`, added to the scene; the paths of images are relative to `folder`. Throws Error(BadInput).
 void readLight(const Value& value, const std::filesystem::path& folder, Scene& scene);
 
-// The `photon_share` of a light or an object.
-[[nodiscard]] double readPhotonShare(Reader& reader);
-
 } // namespace hyalite

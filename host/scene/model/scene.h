@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 #include "image/image.h"
-#include "scene/model/code_twin.h"
+#include "scene/model/material_model.h"
 
 #include <array>
 #include <cstdint>
@@ -34,16 +34,6 @@ enum class RandomNumbers { Sobol, Independent };
 enum class PhotonStructure { Tree, Grid };
 enum class PhotonFilter { None, Cone, Gaussian, Custom };
 enum class PhotonView { Picture, GlobalMap, CausticMap, Photons, Radius };
-
-// Code in GLSL that a scene brings along.
-struct CustomCode {
-    std::string function; // its name
-    std::string file;     // where it stands
-    int line = 1;         // of the function's definition
-    std::string text;
-    std::shared_ptr<const CodeTwin> twin = {}; // what the reference runs in its place; null: nothing
-    std::string twinRefused = {};              // the file of a twin of this function that is of other text; empty: none
-};
 
 struct PhotonMapSettings {
     std::uint32_t causticPhotons = 100000; // aimed at mirrors and glass, besides RenderSettings::photons; 0: none
@@ -79,35 +69,6 @@ struct RenderSettings {
         1.0 / 1024; // whitted: rays that would add less than this share to the pixel are not followed; 0: all are
     PhotonMapSettings photonMap;
 };
-
-struct Diffuse {
-    glm::dvec3 albedo{0.5}; // [0, 1]
-};
-struct Mirror {
-    glm::dvec3 reflectance{1}; // [0, 1]
-};
-struct Dielectric {
-    double ior = 1.5;         // inside over outside, > 0
-    double roughness = 0;     // [0, 1]
-    glm::dvec3 absorption{0}; // coefficient inside [1/m]
-};
-struct Conductor { // metal of the complex index eta + i k
-    glm::dvec3 eta{1};
-    glm::dvec3 k{0};
-    double roughness = 0; // [0, 1]
-};
-struct MetallicRoughness {     // glTF's model: a metal, a diffuse base under a coat, or a mixture of the two
-    glm::dvec3 baseColor{0.8}; // [0, 1]: colour of the diffuse base, and what the metal reflects at normal incidence
-    double metallic = 0;       // [0, 1]
-    double roughness = 0.5;    // [0, 1]
-};
-// A surface that reflects, smooth or by microfacets, the share that vec3 function(float cosine, vec4 parameters) gives.
-struct CustomReflectance {
-    std::shared_ptr<const CustomCode> code;
-    glm::dvec4 parameters{0};
-    double roughness = 0; // [0, 1]
-};
-using MaterialModel = std::variant<Diffuse, Mirror, Dielectric, Conductor, MetallicRoughness, CustomReflectance>;
 
 // Two colours in cubes of the world, or in squares of the surface's coordinates (u, v), by turns.
 struct Checker {

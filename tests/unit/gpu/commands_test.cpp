@@ -84,16 +84,60 @@ TEST_CASE("an observer finds the buffers that a kernel is given, before and afte
         const Array<std::uint32_t> values = zeros(100);
         address = values.buffer().address();
         commands.run(kernel, ValuesArguments{address, 100}, 100); // seen by nobody
-        commands.observe(&observer);
-        commands.run(kernel, ValuesArguments{address, 100}, 100);
-        commands.run(kernel, ValuesArguments{address, 100}, 100);
-        commands.observe(nullptr);
+        {
+            const gpu::Observation observation = commands.observe(observer);
+            commands.run(kernel, ValuesArguments{address, 100}, 100);
+            commands.run(kernel, ValuesArguments{address, 100}, 100);
+        }
         commands.run(kernel, ValuesArguments{address, 100}, 100);
         commands.finish();
         CHECK(observer.seen == std::vector<std::uint32_t>{1, 2, 2, 3});
         CHECK(Gpu::shared().context().memoryAt(address + 4).size() == 99 * sizeof(std::uint32_t));
     }
     CHECK(Gpu::shared().context().memoryAt(address).empty()); // the buffer is gone
+}
+
+TEST_CASE("an observer leaves with its scope, whatever ends that, and may outlive the commands", "[commands]") {
+    struct Observer : gpu::DispatchObserver {
+        std::vector<std::string>& calls;
+        std::string name;
+        bool fails = false;
+        Observer(std::vector<std::string>& c, std::string n) : calls(c), name(std::move(n)) {}
+        void before(const gpu::Dispatch& /*dispatch*/) override {
+            calls.push_back(name + " before");
+            if (fails) {
+                throw 7; // no Error, and no std::exception
+            }
+        }
+        void after(const gpu::Dispatch& /*dispatch*/) override { calls.push_back(name + " after"); }
+    };
+    const Kernel kernel = valuesKernel("count_left", kCount);
+    const Array<std::uint32_t> values = zeros(100);
+    const ValuesArguments arguments{values.buffer().address(), 100};
+    std::vector<std::string> calls;
+    Observer first(calls, "first");
+    Observer second(calls, "second");
+    gpu::Observation outlasting;
+    {
+        Commands commands(Gpu::shared().context(), Gpu::shared().tables());
+        outlasting = commands.observe(first);
+        {
+            const gpu::Observation inner = commands.observe(second);
+            commands.run(kernel, arguments, 100);
+            CHECK(calls == std::vector<std::string>{"second before", "first before", "first after", "second after"});
+        }
+        calls.clear();
+        second.fails = true;
+        try {
+            const gpu::Observation inner = commands.observe(second);
+            commands.run(kernel, arguments, 100);
+        } catch (int) {
+            commands.run(kernel, arguments, 100); // nobody but the first sees it
+        }
+        CHECK(calls == std::vector<std::string>{"second before", "first before", "first after"});
+    }
+    outlasting.end(); // the commands are gone
+    CHECK(values.read() == std::vector<std::uint32_t>(100, 2));
 }
 
 TEST_CASE("a dispatch in pieces is the whole of it, and can be given up between them", "[commands]") {
@@ -115,7 +159,7 @@ TEST_CASE("a dispatch in pieces is the whole of it, and can be given up between 
     const Array<std::uint32_t> values = zeros(10'000);
     Observer observer;
     Commands commands(Gpu::shared().context(), Gpu::shared().tables());
-    commands.observe(&observer);
+    const gpu::Observation observation = commands.observe(observer);
     commands.run(kernel, ValuesArguments{values.buffer().address(), 10'000}, 10'000);
     CHECK(observer.pieces == 20);
     CHECK(values.read() == std::vector<std::uint32_t>(10'000, 1));

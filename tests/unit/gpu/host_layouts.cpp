@@ -28,7 +28,8 @@ using namespace hyalite::shared; // the names below are the kernels'
 std::map<std::string, HostLayout> hostLayouts() {
     std::map<std::string, HostLayout> layouts;
     HOST_LAYOUT(CameraRecord, position, forward, right, up, width, height, lensRadius, focusDistance);
-    HOST_LAYOUT(MaterialRecord, type, color, extinction, ior, roughness, metallic, colorTexture, roughnessTexture);
+    HOST_LAYOUT(MaterialRecord, type, color, eta, k, absorption, ior, roughness, metallic, parameters, function,
+                colorTexture, roughnessTexture);
     HOST_LAYOUT(LightTriangle, corner, edge0, edge1, normal);
     HOST_LAYOUT(LightRecord, type, position, edge0, edge1, normal, radius, distance, cone, error, area, emission, power,
                 pmf, cdf, columns, rows, rotation, cdfs, triangles, texels);
@@ -36,10 +37,10 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(Ray, origin, tMax, direction, from);
     HOST_LAYOUT(Hit, t, object, primitive, uv);
     HOST_LAYOUT(CameraPath, beta, pixel, samplerSeed, medium, pdfW);
-    HOST_LAYOUT(VisiblePoint, position, depth, normal, samplerSeed, f, pixel, from, geometricNormal, coat);
-    HOST_LAYOUT(Lobe, type, color, extinction, eta, alpha);
-    HOST_LAYOUT(RoughPoint, position, error, normal, depth, geometricNormal, samplerSeed, wo, from, beta, result,
-                lobe.type, lobe.color, lobe.extinction, lobe.eta, lobe.alpha);
+    HOST_LAYOUT(VisiblePoint, position, depth, normal, samplerSeed, onSurface, from, wo, geometricNormal, beta, pixel,
+                uv, material, probability);
+    HOST_LAYOUT(RoughPoint, position, error, normal, depth, geometricNormal, samplerSeed, wo, from, beta, result, uv,
+                material);
     HOST_LAYOUT(PhotonPath, power, photon, light, kind, medium);
     HOST_LAYOUT(Photon, position, direction, power, surface);
     HOST_LAYOUT(PhotonFate, stored, absorbed, escaped, cutOff);
@@ -56,10 +57,12 @@ std::map<std::string, HostLayout> hostLayouts() {
                 camera.up, camera.width, camera.height, camera.lensRadius, camera.focusDistance, count, fromCamera,
                 depth, maxDepth, pass, minWeight, lightCount, rootNode, keeps, keptRays, keptPaths, hits, emitted,
                 visiblePoints);
-    HOST_LAYOUT(SampleRoughLightsArguments, roughPoints, lights, direct, count, lightCount, light, pass, rootNode);
-    HOST_LAYOUT(SampleLightsArguments, visiblePoints, lights, shadowRays, contributions, count, lightCount, light, pass,
-                maxDepth, bounceDepth, width);
-    HOST_LAYOUT(BouncePathsArguments, paths, visiblePoints, nextRays, nextPaths, alive, count, depth, maxDepth, pass);
+    HOST_LAYOUT(SampleRoughLightsArguments, roughPoints, materials, lights, direct, count, lightCount, light, pass,
+                rootNode);
+    HOST_LAYOUT(SampleLightsArguments, visiblePoints, materials, lights, shadowRays, contributions, count, lightCount,
+                light, pass, maxDepth, bounceDepth, width);
+    HOST_LAYOUT(BouncePathsArguments, paths, visiblePoints, materials, nextRays, nextPaths, alive, count, depth,
+                maxDepth, pass);
     HOST_LAYOUT(TraceShadowArguments, shadowRays, contributions, direct, count, rootNode, width);
     HOST_LAYOUT(EmitPhotonsArguments, lights, rays, paths, first, count, ofPass, lightCount, sequence);
     HOST_LAYOUT(ScatterPhotonArguments, rays, hits, paths, materials, normals, instances, photons, fates, nextRays,
@@ -84,13 +87,13 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(PartSidesArguments, lists, splits, nodes, sums, parted, count, level, chunks, stored);
     HOST_LAYOUT(FinishSubtreesArguments, lists, others, nodes, count, level, stored);
     HOST_LAYOUT(PlacePhotonsArguments, photons, nodes, slots, sorted, order, count);
-    HOST_LAYOUT(GatherRadianceArguments, visiblePoints, cellStarts, gathered, grid.inverseCellSize, grid.bucketMask,
-                radius, count, maxDepth, width);
+    HOST_LAYOUT(GatherRadianceArguments, visiblePoints, materials, cellStarts, gathered, grid.inverseCellSize,
+                grid.bucketMask, radius, count, maxDepth, width);
     HOST_LAYOUT(NearestPhotonsArguments, visiblePoints, map.order, map.cellStarts, map.grid.inverseCellSize,
                 map.grid.bucketMask, map.base, map.count, found, radius, nearest, kinds, count, maxDepth);
-    HOST_LAYOUT(EstimateRadianceArguments, visiblePoints, map.order, map.cellStarts, map.grid.inverseCellSize,
-                map.grid.bucketMask, map.base, map.count, gathered, radii, radius, filterConstant, maxChange, nearest,
-                kinds, filterKind, count, maxDepth, width);
+    HOST_LAYOUT(EstimateRadianceArguments, visiblePoints, materials, map.order, map.cellStarts,
+                map.grid.inverseCellSize, map.grid.bucketMask, map.base, map.count, gathered, radii, radius,
+                filterConstant, maxChange, nearest, kinds, filterKind, count, maxDepth, width);
     HOST_LAYOUT(SumPathsArguments, pixels, light, radiance, count);
     HOST_LAYOUT(FilmSum, low, middle, high);
     HOST_LAYOUT(FilmColor, red.low, red.middle, red.high, green.low, green.middle, green.high, blue.low, blue.middle,
@@ -105,11 +108,11 @@ std::map<std::string, HostLayout> hostLayouts() {
                 targetCount, sequence);
     HOST_LAYOUT(CastShadowPhotonsArguments, rays, hits, paths, materials, normals, instances, photons, nextRays,
                 nextPaths, alive, count, firstPhoton);
-    HOST_LAYOUT(StartGatherRaysArguments, visiblePoints, rays, paths, alive, count, pass);
+    HOST_LAYOUT(StartGatherRaysArguments, visiblePoints, materials, rays, paths, alive, count, pass);
     HOST_LAYOUT(BeginIrradianceArguments, photons, visiblePoints, count);
     HOST_LAYOUT(StoreIrradianceArguments, photons, irradiance, records, count);
-    HOST_LAYOUT(LookUpIrradianceArguments, visiblePoints, gathered, map.order, map.cellStarts, map.grid.inverseCellSize,
-                map.grid.bucketMask, map.base, map.count, radius, scale, count);
+    HOST_LAYOUT(LookUpIrradianceArguments, visiblePoints, materials, gathered, map.order, map.cellStarts,
+                map.grid.inverseCellSize, map.grid.bucketMask, map.base, map.count, radius, scale, count);
     HOST_LAYOUT(ClassifyVisibilityArguments, visiblePoints, lit, shadowed, map.order, map.cellStarts,
                 map.grid.inverseCellSize, map.grid.bucketMask, map.base, map.count, lightCount, nearest, agreeing,
                 radius, count);

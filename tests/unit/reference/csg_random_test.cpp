@@ -1,5 +1,5 @@
 // Random trees of all solids against point membership, which knows no crossings; and rays that must not get out.
-#include "reference/bsdf/materials.h"
+#include "reference/bsdf/interface.h"
 #include "reference/world.h"
 #include "unit/reference/random_solids.h"
 

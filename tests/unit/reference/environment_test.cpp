@@ -139,7 +139,9 @@ TEST_CASE("a floor under a constant environment has the irradiance pi L") {
                    .shadowOrigin = {0, 0, 0},
                    .normal = {0, 1, 0},
                    .geometricNormal = {0, 1, 0},
-                   .f = dvec3(1 / pi),
+                   .wo = {0, 1, 0},
+                   .beta = dvec3(1),
+                   .material = Diffuse{dvec3(1)},
                    .depth = 1,
                    .samplerSeed = 8}; // even: Sobol points
     constexpr std::uint32_t kPasses = 4096;

@@ -22,7 +22,9 @@ VisiblePoint whitePoint(const dvec3& position, const dvec3& normal) {
             .shadowOrigin = position,
             .normal = normal,
             .geometricNormal = normal,
-            .f = dvec3(1 / pi),
+            .wo = normal,
+            .beta = dvec3(1),
+            .material = Diffuse{dvec3(1)},
             .depth = 1,
             .samplerSeed = 8}; // even: Sobol points
 }

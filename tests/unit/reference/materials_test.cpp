@@ -1,5 +1,5 @@
 // Reflection, refraction and Fresnel's equations against values known on paper.
-#include "reference/bsdf/materials.h"
+#include "reference/bsdf/interface.h"
 
 #include "unit/reference/support.h"
 

@@ -20,7 +20,9 @@ VisiblePoint origin(std::uint32_t depth) {
             .shadowOrigin = {0, 0, 0},
             .normal = {0, 1, 0},
             .geometricNormal = {0, 1, 0},
-            .f = {0.1, 0.2, 0.3},
+            .wo = {0, 1, 0},
+            .beta = std::numbers::pi * dvec3(0.1, 0.2, 0.3),
+            .material = Diffuse{dvec3(1)},
             .depth = depth,
             .samplerSeed = 0};
 }

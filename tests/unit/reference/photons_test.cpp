@@ -39,13 +39,8 @@ dvec3 absorptance(const World& world, const Ray& ray, const Hit& hit) {
     if (surface.material == nullptr) {
         return dvec3(1);
     }
-    if (const auto* diffuse = std::get_if<Diffuse>(&surface.material->model)) {
-        return dvec3(1) - diffuse->albedo;
-    }
-    if (const auto* mirror = std::get_if<Mirror>(&surface.material->model)) {
-        return dvec3(1) - mirror->reflectance;
-    }
-    return dvec3(0);
+    const bool isGlass = surface.material->model.type == shared::kMaterialDielectric;
+    return isGlass ? dvec3(0) : dvec3(1) - surface.material->model.color;
 }
 
 } // namespace

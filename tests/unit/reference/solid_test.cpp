@@ -1,7 +1,7 @@
 // What every solid must do: list crossings that agree with membership, and let rays leave without meeting them again.
 #include "reference/shapes/solid.h"
 
-#include "reference/bsdf/materials.h"
+#include "reference/bsdf/interface.h"
 #include "reference/world.h"
 #include "unit/reference/random_solids.h"
 

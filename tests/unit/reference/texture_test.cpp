@@ -125,9 +125,9 @@ TEST_CASE("a texture multiplies the colour of diffuse surfaces and mirrors") {
         const Ray ray{.origin = {0.25, 0.25, 1}, .direction = {0, 0, -1}};
         return texturedModel(world, evaluateSurface(world, ray, traceClosest(world, ray).value()));
     };
-    checkNear(std::get<Diffuse>(modelSeen(Diffuse{{0.5, 0.25, 1}})).albedo, {0, 0.25, 0}, 1e-15);
-    checkNear(std::get<Mirror>(modelSeen(Mirror{{0.5, 0.75, 1}})).reflectance, {0, 0.75, 0}, 1e-15);
-    checkNear(std::get<MetallicRoughness>(modelSeen(MetallicRoughness{{0.5, 0.75, 1}})).baseColor, {0, 0.75, 0}, 1e-15);
+    checkNear(modelSeen(Diffuse{{0.5, 0.25, 1}}).color, {0, 0.25, 0}, 1e-15);
+    checkNear(modelSeen(Mirror{{0.5, 0.75, 1}}).color, {0, 0.75, 0}, 1e-15);
+    checkNear(modelSeen(MetallicRoughness{{0.5, 0.75, 1}}).color, {0, 0.75, 0}, 1e-15);
 }
 
 TEST_CASE("a texture's green multiplies the roughness, its blue the metallic") {
@@ -138,9 +138,8 @@ TEST_CASE("a texture's green multiplies the roughness, its blue the metallic") {
     addObject(scene, Quad{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 0);
     const World world = prepareWorld(scene);
     const Ray ray{.origin = {0.25, 0.25, 1}, .direction = {0, 0, -1}};
-    const auto model = std::get<MetallicRoughness>(
-        texturedModel(world, evaluateSurface(world, ray, traceClosest(world, ray).value())));
-    CHECK(model.baseColor == dvec3(0.8));
+    const MaterialModel model = texturedModel(world, evaluateSurface(world, ray, traceClosest(world, ray).value()));
+    CHECK(model.color == dvec3(0.8));
     CHECK(model.roughness == 0.75 * 0.25);
     CHECK(model.metallic == 0.5 * 0.5);
 }

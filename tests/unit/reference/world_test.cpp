@@ -2,7 +2,7 @@
 // and the camera's rays.
 #include "reference/world.h"
 
-#include "reference/bsdf/materials.h"
+#include "reference/bsdf/interface.h"
 #include "unit/reference/support.h"
 
 #include <cmath>

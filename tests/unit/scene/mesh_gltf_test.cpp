@@ -224,8 +224,8 @@ TEST_CASE("glTF materials are read, and primitives with the same data share a me
     CHECK(paint.metallic == 0.4);
     CHECK(paint.roughness == 1);
 
-    const auto model = std::get<MetallicRoughness>(sceneModel(gold));
-    CHECK(model.baseColor == gold.baseColor);
+    const MaterialModel model = sceneModel(gold);
+    CHECK(model.color == gold.baseColor);
     CHECK(model.metallic == 1);
     CHECK(model.roughness == 0.25);
 }
@@ -291,8 +291,8 @@ TEST_CASE("a scene shows the parts of a glTF file with its materials, or with th
     CHECK(scene.objects[0].material == 0U);
     CHECK(scene.objects[1].material == 0U);
     for (const std::size_t i : {2U, 3U}) {
-        const auto& model = std::get<MetallicRoughness>(scene.materials.at(scene.objects[i].material.value()).model);
-        CHECK(model.baseColor == glm::dvec3(1));
+        const MaterialModel& model = scene.materials.at(scene.objects[i].material.value()).model;
+        CHECK(model.color == glm::dvec3(1));
         CHECK(model.metallic == (i == 2 ? 1 : 0)); // 1 where the file does not say
         CHECK(model.roughness == 1);
     }

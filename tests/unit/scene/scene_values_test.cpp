@@ -67,7 +67,7 @@ TEST_CASE("the default scene is the Cornell box that other renderers were measur
         checkNear(quad.corner + (quad.edge0 + quad.edge1) / 2.0, walls[i].point);
         CHECK(glm::length(quad.edge0) == 2);
         CHECK(glm::length(quad.edge1) == 2);
-        CHECK(std::get<Diffuse>(scene.materials.at(scene.objects[i].material.value()).model).albedo == walls[i].albedo);
+        CHECK(scene.materials.at(scene.objects[i].material.value()).model.color == walls[i].albedo);
     }
 
     const Object& light = scene.objects[5];
@@ -82,11 +82,11 @@ TEST_CASE("the default scene is the Cornell box that other renderers were measur
     const auto& mirror = std::get<Sphere>(scene.objects[6].shape);
     CHECK(mirror.center == glm::dvec3(-0.42, -0.67, -0.28));
     CHECK(mirror.radius == 0.33);
-    CHECK(std::get<Mirror>(scene.materials.at(scene.objects[6].material.value()).model).reflectance == glm::dvec3(0.9));
+    CHECK(scene.materials.at(scene.objects[6].material.value()).model.color == glm::dvec3(0.9));
     const auto& glass = std::get<Sphere>(scene.objects[7].shape);
     CHECK(glass.center == glm::dvec3(0.42, -0.67, 0.25));
     CHECK(glass.radius == 0.33);
-    CHECK(std::get<Dielectric>(scene.materials.at(scene.objects[7].material.value()).model).ior == 1.5);
+    CHECK(scene.materials.at(scene.objects[7].material.value()).model.ior == 1.5);
 
     // The box [-1, 1]^3 has the diagonal 2 sqrt(3).
     CHECK_THAT(sceneRadius(scene), WithinRel(std::sqrt(3.0), 1e-15));
@@ -125,10 +125,10 @@ objects: [{shape: {type: sphere, radius: 2}, material: b}]
     CHECK(scene.render.alpha == 2.0 / 3);
     CHECK(scene.render.minWeight == 1.0 / 1024);
     CHECK(scene.lights.at(0).intensity == glm::dvec3(1));
-    CHECK(std::get<Diffuse>(scene.materials.at(0).model).albedo == glm::dvec3(0.5));
-    CHECK(std::get<Mirror>(scene.materials.at(1).model).reflectance == glm::dvec3(1));
-    CHECK(std::get<Dielectric>(scene.materials.at(2).model).ior == 1.5);
-    CHECK(std::get<Dielectric>(scene.materials.at(2).model).roughness == 0);
+    CHECK(scene.materials.at(0).model.color == glm::dvec3(0.5));
+    CHECK(scene.materials.at(1).model.color == glm::dvec3(1));
+    CHECK(scene.materials.at(2).model.ior == 1.5);
+    CHECK(scene.materials.at(2).model.roughness == 0);
     CHECK(std::get<Sphere>(scene.objects.at(0).shape).center == glm::dvec3(0));
     CHECK(scene.objects.at(0).material == 1);
     CHECK(scene.objects.at(0).where.line == 4);
@@ -158,7 +158,7 @@ objects: [{shape: {type: quad, corner: [-1, -.5, 0], edges: [[1, 0, 0], [0, 0, 2
     CHECK(scene.render.alpha == 0.25);
     CHECK(scene.render.minWeight == 0);
     CHECK(scene.materials.at(0).name == "a");
-    CHECK(std::get<Diffuse>(scene.materials.at(0).model).albedo == glm::dvec3(0, 0.5, 1));
+    CHECK(scene.materials.at(0).model.color == glm::dvec3(0, 0.5, 1));
     REQUIRE(scene.lights.size() == 2);
     CHECK(scene.lights[0].position == glm::dvec3(7, 8, 9));
     CHECK(scene.lights[0].intensity == glm::dvec3(2));
@@ -228,22 +228,22 @@ TEST_CASE("metals have the index of their name or of their own, and materials ar
                                              "  e: {type: metallic_roughness, base_color: [1, 0, 0.5], metallic: 1, "
                                              "roughness: 0.1}\n"
                                              "objects: [{shape: {type: sphere, radius: 1}, material: a}]\n"));
-    const auto silver = std::get<Conductor>(scene.materials.at(0).model);
+    const MaterialModel silver = scene.materials.at(0).model;
     CHECK(silver.eta == glm::dvec3(0.155, 0.117, 0.138));
     CHECK(silver.k == glm::dvec3(4.828, 3.122, 2.147));
     CHECK(silver.roughness == 0.25);
-    const auto own = std::get<Conductor>(scene.materials.at(1).model);
+    const MaterialModel own = scene.materials.at(1).model;
     CHECK(own.eta == glm::dvec3(1.5));
     CHECK(own.k == glm::dvec3(1, 2, 3));
     CHECK(own.roughness == 0);
-    CHECK(std::get<Dielectric>(scene.materials.at(2).model).ior == 1.5);
-    CHECK(std::get<Dielectric>(scene.materials.at(2).model).roughness == 0.5);
-    const auto gray = std::get<MetallicRoughness>(scene.materials.at(3).model);
-    CHECK(gray.baseColor == glm::dvec3(0.8));
+    CHECK(scene.materials.at(2).model.ior == 1.5);
+    CHECK(scene.materials.at(2).model.roughness == 0.5);
+    const MaterialModel gray = scene.materials.at(3).model;
+    CHECK(gray.color == glm::dvec3(0.8));
     CHECK(gray.metallic == 0);
     CHECK(gray.roughness == 0.5);
-    const auto pink = std::get<MetallicRoughness>(scene.materials.at(4).model);
-    CHECK(pink.baseColor == glm::dvec3(1, 0, 0.5));
+    const MaterialModel pink = scene.materials.at(4).model;
+    CHECK(pink.color == glm::dvec3(1, 0, 0.5));
     CHECK(pink.metallic == 1);
     CHECK(pink.roughness == 0.1);
 }

@@ -63,7 +63,7 @@ TEST_CASE("a checker has two colours, a size and a space") {
     CHECK(checker.size == 3);
     CHECK_FALSE(checker.inWorld);
     CHECK(all.materials.at(0).colorTexture == 0U);
-    CHECK(std::get<Diffuse>(all.materials.at(0).model).albedo == glm::dvec3(1)); // the texture says the rest
+    CHECK(all.materials.at(0).model.color == glm::dvec3(1)); // the texture says the rest
 
     const Scene defaults = loadWith(folder, "{type: checker}", "{type: mirror, reflectance: {texture: t}}");
     CHECK(std::get<Checker>(defaults.textures.at(0).model).inWorld);
@@ -82,16 +82,16 @@ TEST_CASE("metallic-roughness takes its colour and its two numbers from textures
     const Material worn = read("metallic_roughness_texture: {texture: u}");
     CHECK(worn.colorTexture == 0U);
     CHECK(worn.roughnessTexture == 1U);
-    const auto& model = std::get<MetallicRoughness>(worn.model);
-    CHECK(model.baseColor == glm::dvec3(1)); // the textures say the rest
+    const MaterialModel& model = worn.model;
+    CHECK(model.color == glm::dvec3(1)); // the textures say the rest
     CHECK(model.metallic == 1);
     CHECK(model.roughness == 1);
     const Material scaled = read("metallic: 0.5, metallic_roughness_texture: {texture: u}, roughness: 0.25");
-    CHECK(std::get<MetallicRoughness>(scaled.model).metallic == 0.5);
-    CHECK(std::get<MetallicRoughness>(scaled.model).roughness == 0.25);
+    CHECK(scaled.model.metallic == 0.5);
+    CHECK(scaled.model.roughness == 0.25);
     const Material plain = read("metallic: 0.5");
     CHECK_FALSE(plain.roughnessTexture.has_value());
-    CHECK(std::get<MetallicRoughness>(plain.model).roughness == 0.5);
+    CHECK(plain.model.roughness == 0.5);
 }
 
 TEST_CASE("an image is read as linear light, its numbers as they are where asked") {
@@ -216,7 +216,7 @@ TEST_CASE("a glTF material brings its texture from a file, a data URI or a buffe
     for (const Gltf& gltf : files) {
         const Scene scene = loadGltf(folder, gltf);
         const Material& material = scene.materials.at(scene.objects.at(0).material.value());
-        CHECK(std::get<MetallicRoughness>(material.model).baseColor == glm::dvec3(0.5, 1, 1));
+        CHECK(material.model.color == glm::dvec3(0.5, 1, 1));
         const Image& image = *std::get<ImageTexture>(scene.textures.at(material.colorTexture.value()).model).image;
         CHECK(image.at(0, 0) == glm::vec3(1, 0, 0));
         CHECK(scene.meshes.at(0).uvs.at(0) == glm::vec2(0.25, 0.75));

@@ -12,9 +12,9 @@ IntegratorKind PathTracing::kind() {
 }
 
 PathTracing::PathTracing(const IntegratorInput& input)
-    : device_(input.device), scene_(input.scene), film_(input.film),
+    : device_(input.device), scene_(input.scene), deviceScene_(input.deviceScene), film_(input.film),
       cameraPaths_(device_, scene_, input.deviceScene, film_.pixelCount(), AtDiffuse::Bounces),
-      lightSampler_(device_, input.deviceScene, film_.pixelCount()), bouncePaths_(device_.kernel("bounce_paths")),
+      lightSampler_(device_, input.deviceScene, film_.pixelCount()), bouncePaths_(device_.kernel("bounce_paths", deviceScene_.specialization)),
       visiblePoints_(device_.context, film_.pixelCount(), "visible points"),
       met_(device_.context, film_.pixelCount(), "light met"),
       sampled_(device_.context, film_.pixelCount(), "light sampled") {}
@@ -33,6 +33,7 @@ void PathTracing::renderPass(std::uint32_t pass) {
         device_.commands.run(bouncePaths_,
                              shared::BouncePathsArguments{.paths = queue.paths,
                                                           .visiblePoints = visiblePoints_,
+                                                          .materials = deviceScene_.materials,
                                                           .nextRays = queue.nextRays,
                                                           .nextPaths = queue.nextPaths,
                                                           .alive = queue.alive,

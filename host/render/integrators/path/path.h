@@ -18,6 +18,7 @@ public:
 private:
     Device& device_;
     const Scene& scene_;
+    const DeviceScene& deviceScene_;
     Film& film_;
     CameraPaths cameraPaths_;
     LightSampler lightSampler_;

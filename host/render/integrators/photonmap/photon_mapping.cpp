@@ -49,7 +49,7 @@ PhotonMapping::PhotonMapping(const IntegratorInput& input)
     : device_(input.device), scene_(input.scene), deviceScene_(input.deviceScene), film_(input.film),
       files_(input.photonFiles), cameraPaths_(device_, scene_, deviceScene_, film_.pixelCount()),
       lightSampler_(device_, deviceScene_, film_.pixelCount()), maps_(device_, scene_, deviceScene_),
-      startGatherRays_(device_.kernel("start_gather_rays")), skipShadowRays_(device_.kernel("skip_shadow_rays")),
+      startGatherRays_(device_.kernel("start_gather_rays", deviceScene_.specialization)), skipShadowRays_(device_.kernel("skip_shadow_rays")),
       addGatheredLight_(device_.kernel("add_gathered_light")),
       visiblePoints_(device_.context, film_.pixelCount(), "visible points"),
       gatherPoints_(device_.context, film_.pixelCount(), "ends of gathering rays"),
@@ -202,6 +202,7 @@ void PhotonMapping::gatherIndirectLight(std::uint32_t pass) {
         CameraQueue& queue = cameraPaths_.queue();
         commands.run(startGatherRays_,
                      shared::StartGatherRaysArguments{.visiblePoints = visiblePoints_,
+                                                      .materials = deviceScene_.materials,
                                                       .rays = queue.nextRays,
                                                       .paths = queue.nextPaths,
                                                       .alive = queue.alive,

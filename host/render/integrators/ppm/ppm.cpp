@@ -40,12 +40,12 @@ IntegratorKind Ppm::kind() {
 }
 
 Ppm::Ppm(const IntegratorInput& input)
-    : device_(input.device), scene_(input.scene), film_(input.film),
+    : device_(input.device), scene_(input.scene), deviceScene_(input.deviceScene), film_(input.film),
       cameraPaths_(device_, scene_, input.deviceScene, film_.pixelCount()),
       lightSampler_(device_, input.deviceScene, film_.pixelCount()),
       photonPaths_(device_, scene_, input.deviceScene,
                    std::min(kPhotonsInFlight, std::max(scene_.render.photons, scene_.render.photonMap.causticPhotons))),
-      grid_(device_), gatherRadiance_(device_.kernel("gather_radiance")),
+      grid_(device_), gatherRadiance_(device_.kernel("gather_radiance", deviceScene_.specialization)),
       photons_(photonsOf(scene_, input.deviceScene)),
       visiblePoints_(device_.context, film_.pixelCount(), "visible points"),
       emitted_(device_.context, film_.pixelCount(), "emitted light"),
@@ -137,6 +137,7 @@ void Ppm::gather(const Photons& photons, std::uint32_t pass) {
     const std::uint32_t pixels = film_.pixelCount();
     device_.commands.run(gatherRadiance_,
                          shared::GatherRadianceArguments{.visiblePoints = visiblePoints_,
+                                                         .materials = deviceScene_.materials,
                                                          .cellStarts = grid_.cellStarts(),
                                                          .gathered = gathered_,
                                                          .grid = grid_.record(),

@@ -42,6 +42,7 @@ private:
 
     Device& device_;
     const Scene& scene_;
+    const DeviceScene& deviceScene_;
     Film& film_;
 
     CameraPaths cameraPaths_;

@@ -1,0 +1,87 @@
+// Parallel light, everywhere or in a beam: shaders/lights/directional.glsl, host/reference/lights/directional.cpp.
+#include "kinds/lights/light_kinds.h"
+#include "scene/yaml/read_placement.h"
+
+#include <array>
+
+namespace hyalite::kinds {
+namespace {
+
+constexpr KeyDoc kTo{.name = "direction",
+                     .type = KeyType::Vector,
+                     .range = kDirection,
+                     .required = true,
+                     .text = "where the light goes, of any length but 0"};
+constexpr KeyDoc kStrength{.name = "irradiance",
+                           .type = KeyType::Color,
+                           .range = kIrradiance,
+                           .defaultText = "1",
+                           .text = "of a surface that faces the light, not all 0",
+                           .rangeText = "[0, 1e12], not all 0"};
+constexpr KeyDoc kRadius{
+    .name = "radius", .range = kLength, .defaultText = "none: the light is everywhere", .text = "of a beam"};
+constexpr KeyDoc kCenter{.name = "center",
+                         .type = KeyType::Vector,
+                         .range = kCoordinate,
+                         .defaultText = "[0, 0, 0]",
+                         .text = "of the disc where a beam starts; only with `radius`"};
+constexpr std::array kKeys{kTo, kStrength, kRadius, kCenter, kPhotonShare};
+
+void read(Reader& reader, const std::filesystem::path& /*folder*/, Scene& scene) {
+    DirectionalLight light;
+    light.direction = readUnit(reader.require(kTo.name));
+    readStrength(reader, kStrength, light.irradiance);
+    const auto center = reader.find(kCenter.name);
+    if (const auto radius = reader.find(kRadius.name)) {
+        light.beam = DirectionalLight::Beam{};
+        radius->read(light.beam->radius, kRadius.range);
+    }
+    if (center) {
+        if (!light.beam) {
+            center->fail("a 'center' without a 'radius'",
+                         "with both, the light is a beam; with neither, it is everywhere");
+        }
+        center->read(light.beam->center, kCenter.range);
+    }
+    readKey(reader, kPhotonShare, light.photonShare);
+    scene.directionals.push_back(light);
+}
+
+shared::LightRecord record(const Scene& scene, const DirectionalLight& light) {
+    shared::LightRecord r{};
+    if (light.beam) {
+        r.type = shared::kLightBeam;
+        r.position = light.beam->center;
+        setStartDisc(r, light.beam->radius, 0);
+    } else {
+        r = endlessLight(scene, shared::kLightDirectional);
+    }
+    r.normal = light.direction;
+    r.emission = light.irradiance;
+    r.power = double{r.area} * light.irradiance;
+    return r;
+}
+
+void addRecords(const Scene& scene, LightTable& table) {
+    for (const DirectionalLight& light : scene.directionals) {
+        table.add(record(scene, light), light.photonShare);
+    }
+}
+
+} // namespace
+
+constinit const LightKind kDirectionalLight{
+    .doc =
+        {.type = "directional",
+         .schemaName = "directionalLight",
+         .text =
+             "*Directional* light comes from beyond the scene and lights all of it. With a `radius` it is a beam: it "
+             "starts at a disc about `center`, across the direction, and lights what is before the disc and no "
+             "farther from the axis than `radius`; its power is `irradiance` times π `radius`².",
+         .keys = kKeys,
+         .rules = R"({"dependentRequired": {"center": ["radius"]}})"},
+    .read = read,
+    .addRecords = addRecords,
+    .reference = referenceLight<reference::ParallelLight>()};
+
+} // namespace hyalite::kinds

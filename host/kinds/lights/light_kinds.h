@@ -1,0 +1,22 @@
+// The list of lights. A new type of light is a file beside this one and a row here; one that needs the kernels has a
+// file in shaders/lights and one in host/reference/lights too, each with a line in its list.
+#pragma once
+
+#include "kinds/lights/light_kind.h"
+
+#include <array>
+
+namespace hyalite::kinds {
+
+extern const LightKind kEnvironmentLight;
+extern const LightKind kPointLight;
+extern const LightKind kSpotLight;
+extern const LightKind kDirectionalLight;
+extern const LightKind kAreaLight;
+
+// In the order of the device's table.
+inline constexpr std::array<const LightKind*, 5> kLightKinds{
+    &kEnvironmentLight, &kPointLight, &kSpotLight, &kDirectionalLight, &kAreaLight,
+};
+
+} // namespace hyalite::kinds

@@ -1,0 +1,86 @@
+// Light from a point about an axis: shaders/lights/spot.glsl, host/reference/lights/spot.cpp.
+#include "kinds/lights/light_kinds.h"
+#include "scene/yaml/read_placement.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace hyalite::kinds {
+namespace {
+
+using std::numbers::pi;
+
+constexpr KeyDoc kPosition{.name = "position", .type = KeyType::Vector, .range = kCoordinate, .required = true};
+constexpr KeyDoc kAxis{.name = "direction",
+                       .type = KeyType::Vector,
+                       .range = kDirection,
+                       .required = true,
+                       .text = "where the axis goes, of any length but 0"};
+constexpr KeyDoc kStrength{.name = "intensity",
+                           .type = KeyType::Color,
+                           .range = kIntensity,
+                           .defaultText = "1",
+                           .text = "on the axis, not all 0",
+                           .rangeText = "[0, 1e12], not all 0"};
+constexpr KeyDoc kAngle{.name = "angle",
+                        .range = {0.001, 180, true, true, "degrees"}, // 1 - cos is a normal float
+                        .defaultText = "30",
+                        .text = "from the axis to where the light ends"};
+constexpr KeyDoc kBlend{.name = "blend",
+                        .range = {0, 1},
+                        .defaultText = "0.1",
+                        .text = "share of the angle, at its end, over which the intensity falls to 0"};
+constexpr std::array kKeys{kPosition, kAxis, kStrength, kAngle, kBlend, kPhotonShare};
+
+void read(Reader& reader, const std::filesystem::path& /*folder*/, Scene& scene) {
+    SpotLight light;
+    readKey(reader, kPosition, light.position);
+    light.direction = readUnit(reader.require(kAxis.name));
+    readStrength(reader, kStrength, light.intensity);
+    readKey(reader, kAngle, light.angle);
+    readKey(reader, kBlend, light.blend);
+    readKey(reader, kPhotonShare, light.photonShare);
+    scene.spots.push_back(light);
+}
+
+shared::LightRecord record(const SpotLight& light) {
+    // 1 - cos = 2 sin^2 of half the angle
+    const auto cone = [](double degrees) {
+        const double sine = std::sin(degrees * pi / 360);
+        return 2 * sine * sine;
+    };
+    const double inner = cone(light.angle * (1 - light.blend));
+    const double outer = cone(light.angle);
+    shared::LightRecord r{};
+    r.type = shared::kLightSpot;
+    r.position = light.position;
+    r.normal = light.direction;
+    r.cone = glm::dvec2(inner, outer);
+    r.emission = light.intensity;
+    r.power = pi * (inner + outer) * light.intensity; // see lights/spot.glsl
+    return r;
+}
+
+void addRecords(const Scene& scene, LightTable& table) {
+    for (const SpotLight& light : scene.spots) {
+        table.add(record(light), light.photonShare);
+    }
+}
+
+} // namespace
+
+constinit const LightKind kSpotLight{
+    .doc = {.type = "spot",
+            .schemaName = "spotLight",
+            .text =
+                "*Spots* have their full intensity up to (1 - `blend`) `angle` from the axis and none beyond `angle`. "
+                "Between the two it is 3t² - 2t³ of the full one, where t goes evenly in the cosine of the angle from "
+                "0 at the outer cone to 1 at the inner: the mean of that is 1/2, and the power is π (2 - cos inner - "
+                "cos outer) times the intensity.",
+            .keys = kKeys},
+    .read = read,
+    .addRecords = addRecords,
+    .reference = referenceLight<SpotLight>()};
+
+} // namespace hyalite::kinds

@@ -1,0 +1,44 @@
+// Glass: shaders/bsdf/dielectric.glsl, host/reference/bsdf/dielectric.cpp.
+#include "kinds/materials/material_kinds.h"
+
+#include <array>
+
+namespace hyalite::kinds {
+namespace {
+
+constexpr KeyDoc kIndex{.name = "ior",
+                        .range = kIor,
+                        .defaultText = "1.5",
+                        .text = "glass or water: refractive index inside over outside. For a closed surface whose "
+                                "normals point outward"};
+constexpr KeyDoc kRoughness = roughnessKey("0: clear glass; more: frosted, see below");
+constexpr KeyDoc kAbsorption{.name = "absorption",
+                             .type = KeyType::Color,
+                             .range = {0, 1 / kSmallestLength, true, true, "1/m"},
+                             .defaultText = "0",
+                             .text = "absorption coefficient σ inside: of the light, e^(-σ t) is left after t metres"};
+constexpr std::array kKeys{kIndex, kRoughness, kAbsorption};
+
+MaterialModel read(Reader& reader, const Scene& /*scene*/, Material& /*has no textures*/) {
+    Dielectric dielectric;
+    readKey(reader, kIndex, dielectric.ior);
+    readKey(reader, kRoughness, dielectric.roughness);
+    readKey(reader, kAbsorption, dielectric.absorption);
+    return dielectric;
+}
+
+void record(const MaterialModel& model, shared::MaterialRecord& r) {
+    r.ior = static_cast<float>(model.ior);
+    r.roughness = static_cast<float>(model.roughness);
+    r.absorption = model.absorption;
+}
+
+} // namespace
+
+constinit const MaterialKind kDielectricMaterial{
+    .doc = {.type = "dielectric", .schemaName = "dielectric", .keys = kKeys},
+    .read = read,
+    .record = record,
+    .reference = &reference::kDielectricBsdf};
+
+} // namespace hyalite::kinds

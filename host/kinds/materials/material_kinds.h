@@ -1,0 +1,31 @@
+// The list of materials: a row for every model of shaders/shared/materials.h.
+#pragma once
+
+#include "kinds/materials/material_kind.h"
+
+#include <array>
+
+namespace hyalite::kinds {
+
+#define ROW(Name, name) extern const MaterialKind k##Name##Material;
+HYALITE_MODELS(ROW)
+#undef ROW
+
+#define ROW(Name, name) &k##Name##Material,
+inline constexpr std::array kMaterialKinds{HYALITE_MODELS(ROW)};
+#undef ROW
+
+// The row of kMaterial…; nullptr: the absorber, of which a scene file has none.
+[[nodiscard]] constexpr const MaterialKind* materialKind(std::uint32_t type) {
+    switch (type) {
+#define ROW(Name, name)                                                                                                \
+    case shared::kMaterial##Name:                                                                                      \
+        return &k##Name##Material;
+        HYALITE_MODELS(ROW)
+#undef ROW
+    default:
+        return nullptr;
+    }
+}
+
+} // namespace hyalite::kinds

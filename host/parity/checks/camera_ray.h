@@ -1,0 +1,24 @@
+// A path as it starts at the camera: of generate_camera_rays, and of kernels that do more than that.
+#pragma once
+
+#include "parity/check.h"
+
+#include "shaders/shared/path_records.h"
+
+namespace hyalite::parity {
+
+struct CameraRayFields : FieldSet<7> {
+    const Field& pixel = exact("pixel");
+    const Field& seed = exact("seed");
+    const Field& medium = exact("medium");
+    const Field& beta = vector("beta", kSame);
+    const Field& pdfW = number("pdfW", kSame);
+    const Field& origin = place("origin");
+    const Field& direction = angle("direction");
+};
+inline constexpr CameraRayFields kCameraRay;
+
+void compareCameraRay(const Stage& stage, std::size_t i, std::uint32_t pixel, std::uint32_t pass,
+                      const shared::Ray& ray, const shared::CameraPath& path);
+
+} // namespace hyalite::parity

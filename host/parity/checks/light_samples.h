@@ -1,0 +1,27 @@
+// Samples of lights, and whether their light arrives.
+#pragma once
+
+#include "parity/sides.h"
+#include "reference/lights/lights.h"
+
+#include "shaders/shared/limits.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace hyalite::parity {
+
+// The light that a kernel asks for; none: chosen at random.
+[[nodiscard]] inline std::optional<std::uint32_t> lightOf(std::uint32_t number) {
+    return number == shared::kNone ? std::nullopt : std::optional(number);
+}
+
+// Does nothing block the way of the sample's light? `leaves`: the object that the shadow ray leaves, see shared::Ray.
+template <class Sample>
+[[nodiscard]] bool isUnoccluded(const Sides& sides, const Sample& sample, std::uint32_t leaves) {
+    const glm::dvec3 way = sample.to - sample.from;
+    const double distance = glm::length(way);
+    return !sides.trace({.origin = sample.from, .direction = way / distance, .tMax = distance}, leaves);
+}
+
+} // namespace hyalite::parity

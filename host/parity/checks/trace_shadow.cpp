@@ -1,0 +1,60 @@
+// Shadow rays: light that nothing blocks is added.
+#include "parity/checks/checks.h"
+
+#include "shaders/shared/kernel_arguments.h"
+
+namespace hyalite::parity {
+
+namespace {
+
+using glm::dvec3;
+
+struct ShadowFields : FieldSet<2> {
+    const Field& added = exact("added", kEdge);
+    const Field& direct = vector("direct", kRounding);
+};
+constexpr ShadowFields kShadow;
+
+void compareTraceShadow(const Stage& stage) {
+    const auto args = stage.seen.arguments<shared::TraceShadowArguments>();
+    const auto rays = stage.seen.before<shared::Ray>(args.shadowRays, args.count);
+    const auto contributions = stage.seen.before<glm::vec3>(args.contributions, args.count);
+    const auto before = stage.seen.before<glm::vec3>(args.direct, args.count);
+    const auto after = stage.seen.after<glm::vec3>(args.direct, args.count);
+    const Sides& sides = stage.sides;
+    for (std::size_t i = 0; i < args.count; ++i) {
+        const shared::Ray& ray = rays[i];
+        const bool isTraced = ray.tMax > 0;
+        Answer device;
+        device.exact(kShadow.added, after[i] != before[i] ? 1 : 0);
+        device.vector(kShadow.direct, dvec3(after[i]));
+        stage.compare(
+            i, device,
+            [&](Nudge nudge) {
+                bool isSeen = isTraced;
+                if (isTraced) {
+                    reference::Ray twin = sides.toTwin(ray);
+                    twin.origin = nudge.point(twin.origin, sides.scale());
+                    twin.direction = nudge.direction(twin.direction);
+                    isSeen = !sides.trace(twin, ray.from);
+                }
+                Answer answer;
+                // What adds less than a rounding leaves no trace
+                answer.exact(kShadow.added, isSeen && before[i] + contributions[i] != before[i] ? 1 : 0);
+                answer.vector(kShadow.direct, dvec3(before[i]) + (isSeen ? dvec3(contributions[i]) : dvec3(0)));
+                return answer;
+            },
+            [&] {
+                return OffenderInputs{{"origin", describe(dvec3(ray.origin))},
+                                      {"direction", describe(dvec3(ray.direction))},
+                                      {"tMax", describe(double{ray.tMax})},
+                                      {"from", std::to_string(ray.from)}};
+            });
+    }
+}
+
+} // namespace
+
+const Check kTraceShadow{.kernel = "trace_shadow", .compare = compareTraceShadow, .fields = {kShadow.all()}};
+
+} // namespace hyalite::parity

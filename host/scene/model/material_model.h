@@ -1,0 +1,100 @@
+// What a surface is made of: a value that holds the parameters of any BSDF model, and a builder for each of the first
+// ones.
+#pragma once
+
+#include "scene/model/code_twin.h"
+#include "shaders/shared/materials.h"
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <string>
+
+namespace hyalite {
+
+// Code in GLSL that a scene brings along.
+struct CustomCode {
+    std::string function; // its name
+    std::string file;     // where it stands
+    int line = 1;         // of the function's definition
+    std::string text;
+    std::shared_ptr<const CodeTwin> twin = {}; // what the reference runs in its place; null: nothing
+    std::string twinRefused = {};              // the file of a twin of this function that is of other text; empty: none
+};
+
+// The fields are those of the device's MaterialRecord; `function` and the textures stand in the Material.
+struct MaterialModel : shared::MaterialFields<double, glm::dvec3, glm::dvec4> {
+    std::shared_ptr<const CustomCode> code; // custom: its function
+
+    MaterialModel() : MaterialModel(shared::kMaterialAbsorber) {}
+    explicit MaterialModel(std::uint32_t model, const glm::dvec3& ofColor = glm::dvec3(0)) : MaterialFields{} {
+        type = model;
+        color = ofColor;
+        ior = 1;
+    }
+};
+
+struct Diffuse {
+    glm::dvec3 albedo{0.5}; // [0, 1]
+
+    operator MaterialModel() const { return MaterialModel(shared::kMaterialDiffuse, albedo); }
+};
+struct Mirror {
+    glm::dvec3 reflectance{1}; // [0, 1]
+
+    operator MaterialModel() const { return MaterialModel(shared::kMaterialMirror, reflectance); }
+};
+struct Dielectric {
+    double ior = 1.5;         // inside over outside, > 0
+    double roughness = 0;     // [0, 1]
+    glm::dvec3 absorption{0}; // coefficient inside [1/m]
+
+    operator MaterialModel() const {
+        MaterialModel model(shared::kMaterialDielectric, glm::dvec3(1));
+        model.ior = ior;
+        model.roughness = roughness;
+        model.absorption = absorption;
+        return model;
+    }
+};
+struct Conductor { // metal of the complex index eta + i k
+    glm::dvec3 eta{1};
+    glm::dvec3 k{0};
+    double roughness = 0; // [0, 1]
+
+    operator MaterialModel() const {
+        MaterialModel model(shared::kMaterialConductor);
+        model.eta = eta;
+        model.k = k;
+        model.roughness = roughness;
+        return model;
+    }
+};
+struct MetallicRoughness {     // glTF's model: a metal, a diffuse base under a coat, or a mixture of the two
+    glm::dvec3 baseColor{0.8}; // [0, 1]: colour of the diffuse base, and what the metal reflects at normal incidence
+    double metallic = 0;       // [0, 1]
+    double roughness = 0.5;    // [0, 1]
+
+    operator MaterialModel() const {
+        MaterialModel model(shared::kMaterialMetallicRoughness, baseColor);
+        model.metallic = metallic;
+        model.roughness = roughness;
+        return model;
+    }
+};
+// A surface that reflects, smooth or by microfacets, the share that vec3 function(float cosine, vec4 parameters) gives.
+struct CustomReflectance {
+    std::shared_ptr<const CustomCode> code;
+    glm::dvec4 parameters{0};
+    double roughness = 0; // [0, 1]
+
+    operator MaterialModel() const {
+        MaterialModel model(shared::kMaterialCustom);
+        model.code = code;
+        model.parameters = parameters;
+        model.roughness = roughness;
+        return model;
+    }
+};
+
+} // namespace hyalite
