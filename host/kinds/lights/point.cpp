@@ -45,8 +45,8 @@ void addRecords(const Scene& scene, LightTable& table) {
 } // namespace
 
 constinit const LightKind kPointLight{.doc = {.type = "point", .schemaName = "pointLight", .keys = kKeys},
-                            .read = read,
-                            .addRecords = addRecords,
-                            .reference = referenceLight<PointLight>()};
+                                      .read = read,
+                                      .addRecords = addRecords,
+                                      .reference = referenceLight<PointLight>()};
 
 } // namespace hyalite::kinds
