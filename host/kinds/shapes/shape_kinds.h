@@ -26,7 +26,7 @@ extern const ShapeKind kMeshShape;
 extern const ShapeKind kTeapotShape;
 extern const ShapeKind kCsgShape;
 
-inline constexpr std::array<const ShapeKind*, 17> kShapeKinds{
+inline constexpr std::array kShapeKinds{
     &kSphereShape,
     &kBoxShape,
     &kCylinderShape,
