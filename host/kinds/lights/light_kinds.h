@@ -15,7 +15,7 @@ extern const LightKind kDirectionalLight;
 extern const LightKind kAreaLight;
 
 // In the order of the device's table.
-inline constexpr std::array<const LightKind*, 5> kLightKinds{
+inline constexpr std::array kLightKinds{
     &kEnvironmentLight, &kPointLight, &kSpotLight, &kDirectionalLight, &kAreaLight,
 };
 

@@ -8,6 +8,7 @@
 #include "scene/load/read_shapes.h"
 #include "scene/model/bounds.h"
 #include "scene/model/scene_limits.h"
+#include "scene/yaml/find_material.h"
 #include "scene/yaml/mesh_library.h"
 #include "scene/yaml/read_textures.h"
 #include "scene/yaml/read_transform.h"
@@ -73,7 +74,7 @@ std::vector<Object> readCopy(const Value& value, const glm::dmat4& place, Scene&
     Reader reader(value);
     const Value shape = reader.require("shape");
     std::vector<Object> parts;
-    Surroundings around{.scene = scene, .meshes = meshes, .parts = &parts};
+    kinds::Surroundings around{.readShape = readShape, .scene = scene, .meshes = meshes, .parts = &parts};
     const auto repeat = reader.find("repeat");
     const auto transform = reader.find("transform");
     around.placement = {place * (transform ? readTransform(*transform) : glm::dmat4(1)),

@@ -9,7 +9,4 @@ namespace hyalite {
 // One entry of `materials:`; the scene has its textures. Throws Error(BadInput).
 [[nodiscard]] Material readMaterial(const Value& value, const Scene& scene);
 
-// Index in Scene::materials of the material that `name` names. Throws Error(BadInput) where there is none.
-[[nodiscard]] std::size_t findMaterial(const Value& name, const Scene& scene);
-
 } // namespace hyalite

@@ -1,19 +1,13 @@
-// See read_quadrics.h.
-#include "kinds/shapes/read_quadrics.h"
+// See clipped_quadric.h.
+#include "kinds/shapes/clipped_quadric.h"
 
 #include "scene/model/bounds.h"
 #include "scene/model/quadric.h"
 
-#include <algorithm>
-#include <cmath>
+#include <vector>
 
-namespace hyalite {
+namespace hyalite::kinds {
 namespace {
-
-// Of a coefficient: squares and products of them are far from the ends of a double's range.
-constexpr double kLargestCoefficient = 1e30;
-constexpr double kSmallestCoefficient = 1e-30;
-constexpr Range kCoefficient{-kLargestCoefficient, kLargestCoefficient};
 
 // A corner of the clip box; null leaves a side without end.
 void readCorner(const Value& value, glm::dvec3& corner) {
@@ -67,10 +61,11 @@ void checkSurface(const Value& written, const std::optional<Value>& clip, const 
     }
 }
 
-// The keys that every quadric has, around the form that is its own.
-Shape finished(Reader& reader, const Value& written, Quadric quadric) {
-    const auto clip = reader.find("clip");
-    const auto caps = reader.find("caps");
+} // namespace
+
+Shape clipped(Reader& reader, const Value& written, Quadric quadric) {
+    const auto clip = reader.find(kClip.name);
+    const auto caps = reader.find(kCaps.name);
     if (clip) {
         quadric.clip = readClip(*clip);
     }
@@ -87,32 +82,4 @@ Shape finished(Reader& reader, const Value& written, Quadric quadric) {
     return quadric;
 }
 
-} // namespace
-
-Shape readNamedQuadric(Reader& reader, const Placement& placement, QuadricForm (*formOf)(const glm::dvec3&)) {
-    glm::dvec3 center(0);
-    glm::dvec3 radii(0);
-    reader.optional("center", center, kCoordinate);
-    const glm::dvec3 axis = readAxis(reader);
-    const Value written = reader.require("radii");
-    written.read(radii, kLength);
-    checkThickness(placement, std::min({radii.x, radii.y, radii.z}));
-    return finished(reader, written, {.form = formOf(radii), .objectToWorld = placed(placement, center, axis)});
-}
-
-Shape readQuadric(Reader& reader, const Placement& placement) {
-    const Value written = reader.require("coefficients");
-    const std::vector<double> c = written.numbers(10, kCoefficient);
-    const QuadricForm form{c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8], c[9]};
-    const auto isSmall = [](double coefficient) { return std::abs(coefficient) < kSmallestCoefficient; };
-    if (std::all_of(c.begin(), c.end(), isSmall)) {
-        written.fail("all coefficients of this quadric are 0");
-    }
-    if (std::all_of(c.begin(), c.end() - 1, isSmall) && (form.j > 0 || !reader.find("clip"))) {
-        written.fail("of these coefficients only the last is not 0: q is the same everywhere and has no surface",
-                     "the order is a b c d e f g h i j; -1 as the last within a 'clip' makes a box");
-    }
-    return finished(reader, written, {.form = normalised(form), .objectToWorld = placement.objectToWorld});
-}
-
-} // namespace hyalite
+} // namespace hyalite::kinds

@@ -1,18 +1,50 @@
-// See read_csg.h.
-#include "scene/load/read_csg.h"
-
+// Constructive solid geometry: solids made of solids. Device: shaders/shapes/csg.glsl; reference:
+// host/reference/shapes/csg.cpp.
 #include "base/spelling.h"
-#include "scene/load/read_materials.h"
+#include "kinds/shapes/object_record.h"
+#include "kinds/shapes/shape_kinds.h"
 #include "scene/model/bounds.h"
 #include "scene/model/mesh_topology.h"
 #include "scene/model/quadric.h"
+#include "scene/yaml/find_material.h"
 
 #include <algorithm>
 #include <array>
 #include <string>
+#include <string_view>
+#include <vector>
 
-namespace hyalite {
+namespace hyalite::kinds {
 namespace {
+
+constexpr std::array<std::string_view, 3> kOperationNames{"union", "intersection", "difference"};
+constexpr KeyDoc kOp{.name = "op",
+                     .type = KeyType::Word,
+                     .required = true,
+                     .text =
+                         "`union`: in either; `intersection`: in both; `difference`: in the left and not in the right",
+                     .words = kOperationNames};
+constexpr KeyDoc kLeft{.name = "left",
+                       .type = KeyType::Other,
+                       .text = "an operand",
+                       .schema = R"({"$ref": "#/$defs/solid"})",
+                       .typeText = "shape"};
+constexpr KeyDoc kRight{.name = "right",
+                        .type = KeyType::Other,
+                        .text = "the other operand",
+                        .schema = R"({"$ref": "#/$defs/solid"})",
+                        .typeText = "shape"};
+constexpr KeyDoc kShapes{.name = "shapes",
+                         .type = KeyType::Other,
+                         .text = "instead of `left` and `right`: A op B op C …, from the left",
+                         .schema =
+                             R"({"type": "array", "items": {"$ref": "#/$defs/solid"}, "minItems": 2, "maxItems": 32})",
+                         .typeText = "list of shapes, at least 2"};
+constexpr KeyDoc kCutMaterial{.name = "cut_material",
+                              .type = KeyType::Text,
+                              .defaultText = "none",
+                              .text = "of a difference: material of the faces cut by all operands but the first"};
+constexpr std::array kKeys{kOp, kLeft, kRight, kShapes, kCutMaterial};
 
 constexpr std::array<Choice<CsgStep>, 3> kOperations{{
     {"union", CsgStep::Union},
@@ -22,14 +54,14 @@ constexpr std::array<Choice<CsgStep>, 3> kOperations{{
 
 // The operands as the file gives them: `left` and `right`, or `shapes`.
 std::vector<Value> readOperands(Reader& reader) {
-    const auto shapes = reader.find("shapes");
-    const auto left = reader.find("left");
-    const auto right = reader.find("right");
+    const auto shapes = reader.find(kShapes.name);
+    const auto left = reader.find(kLeft.name);
+    const auto right = reader.find(kRight.name);
     if (!shapes) {
         if (!left && !right) {
             reader.map().fail("a csg needs its operands", "'left' and 'right', or a list of 'shapes'");
         }
-        return {reader.require("left"), reader.require("right")};
+        return {reader.require(kLeft.name), reader.require(kRight.name)};
     }
     if (left || right) {
         (left ? left : right)->fail("a csg has either 'shapes' or 'left' and 'right', not both");
@@ -96,7 +128,7 @@ void checkSolid(const Object& leaf, const Scene& scene) {
 
 // Reads one operand and adds its steps to the program.
 void readOperand(const Value& value, const Surroundings& around, std::vector<CsgStep>& program) {
-    const Object operand = readShape(value, around);
+    const Object operand = around.readShape(value, around);
     if (const auto* csg = std::get_if<Csg>(&operand.shape)) { // its leaves are where they belong
         program.insert(program.end(), csg->program.begin(), csg->program.end());
         return;
@@ -109,12 +141,10 @@ void readOperand(const Value& value, const Surroundings& around, std::vector<Csg
     program.push_back(CsgStep::Leaf);
 }
 
-} // namespace
-
-Shape readCsg(Reader& reader, const Surroundings& around) {
-    const auto operation = choose<CsgStep>(reader.require("op"), "operation", kOperations);
+Shape read(Reader& reader, const Surroundings& around) {
+    const auto operation = choose<CsgStep>(reader.require(kOp.name), "operation", kOperations);
     const std::vector<Value> operands = readOperands(reader);
-    const auto cutMaterial = reader.find("cut_material");
+    const auto cutMaterial = reader.find(kCutMaterial.name);
     reader.finish(); // before meshes are read for nothing
 
     Surroundings right = around;
@@ -144,4 +174,69 @@ Shape readCsg(Reader& reader, const Surroundings& around) {
     return csg;
 }
 
-} // namespace hyalite
+std::uint32_t code(CsgStep step) {
+    switch (step) {
+    case CsgStep::Leaf:
+        return shared::kCsgLeaf;
+    case CsgStep::Union:
+        return shared::kCsgUnion;
+    case CsgStep::Intersection:
+        return shared::kCsgIntersection;
+    case CsgStep::Difference:
+        break;
+    }
+    return shared::kCsgDifference;
+}
+
+} // namespace
+
+ObjectRecord record(const Csg& csg, ObjectTables& tables) {
+    const std::uint32_t leaves = leafCount(csg);
+    ObjectRecord r{.type = shared::kShapeCsg, .root = static_cast<std::uint32_t>(tables.geometry.size())};
+    r.texels[0] = glm::vec4(bits(tables.nextLeaf), bits(leaves), 0, 0);
+    tables.nextLeaf += leaves;
+    glm::uvec4 words(0);
+    for (std::uint32_t i = 0; i < csg.program.size(); ++i) {
+        words[static_cast<int>(i / 16)] |= code(csg.program[i]) << 2 * (i % 16);
+    }
+    tables.geometry.push_back(words);
+    return r;
+}
+
+std::uint32_t leafCount(const Csg& csg) {
+    return static_cast<std::uint32_t>((csg.program.size() + 1) / 2);
+}
+
+std::vector<std::uint32_t> leafTypes(const Csg& csg) {
+    std::vector<std::uint32_t> types;
+    std::vector<std::size_t> stack; // first leaf of each operand
+    for (const CsgStep step : csg.program) {
+        if (step == CsgStep::Leaf) {
+            stack.push_back(types.size());
+            types.push_back(shared::kShapeLeaf | shared::kShapeRequired);
+            continue;
+        }
+        const std::size_t right = stack.back();
+        stack.pop_back();
+        for (std::size_t leaf = stack.back(); leaf < types.size(); ++leaf) {
+            const bool isTakenOff = step == CsgStep::Difference && leaf >= right;
+            types[leaf] ^= isTakenOff ? shared::kShapeReversed : 0;
+            if (isTakenOff || step == CsgStep::Union) {
+                types[leaf] &= ~shared::kShapeRequired;
+            }
+        }
+    }
+    return types;
+}
+
+constinit const ShapeKind kCsgShape{
+    .doc =
+        {.type = "csg",
+         .schemaName = "csg",
+         .text = "A solid made of solids.",
+         .keys = kKeys,
+         .rules =
+             R"({"oneOf": [{"required": ["left", "right"], "not": {"required": ["shapes"]}}, {"required": ["shapes"], "not": {"anyOf": [{"required": ["left"]}, {"required": ["right"]}]}}], "if": {"required": ["cut_material"]}, "then": {"properties": {"op": {"const": "difference"}}}})"},
+    .read = read};
+
+} // namespace hyalite::kinds

@@ -1,32 +1,26 @@
-// See read_meshes.h.
-#include "scene/load/read_meshes.h"
-
+// Meshes from files. Device: shaders/shapes/mesh.glsl; reference: host/reference/shapes/{instance,triangle}.cpp.
 #include "base/input_file.h"
+#include "kinds/shapes/object_record.h"
+#include "kinds/shapes/place_mesh.h"
+#include "kinds/shapes/shape_kinds.h"
 #include "scene/import/mesh_import.h"
-#include "scene/import/teapot.h"
 #include "scene/model/affine.h"
-#include "scene/model/bounds.h"
-#include "scene/model/quadric.h"
 #include "scene/model/scene_limits.h"
 #include "scene/yaml/read_textures.h"
 
-namespace hyalite {
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace hyalite::kinds {
 namespace {
 
-MeshInstance placedMesh(const Reader& reader, const Surroundings& around, std::size_t mesh,
-                        const glm::dmat4& toObject = glm::dmat4(1)) {
-    const MeshInstance instance{mesh, around.placement.objectToWorld * toObject};
-    // The image of the mesh's box is cheap to find and mostly answers; the triangles themselves have the last word.
-    Bounds box = transformed(around.meshes.boundsOf(mesh), instance.objectToWorld);
-    if (!isWithinReach(box)) {
-        box = meshBounds(around.meshes.at(mesh), instance.objectToWorld);
-        checkReach(reader, box);
-    }
-    if (!(glm::length(box.high - box.low) >= kSmallestLength)) {
-        reader.map().fail("with its transform this mesh is a single point");
-    }
-    return instance;
-}
+constexpr KeyDoc kFile{.name = "file",
+                       .type = KeyType::Text,
+                       .required = true,
+                       .text = "OBJ, PLY, STL or glTF file; path relative to the scene file"};
+constexpr std::array kKeys{kFile};
 
 // Puts a texture of the mesh file into the scene. Every material has its own: files that share one are few.
 std::optional<std::size_t> sceneTexture(const Value& file, const std::optional<ImportedTexture>& texture,
@@ -80,10 +74,8 @@ void readParts(const Reader& reader, const Value& file, const Surroundings& arou
     }
 }
 
-} // namespace
-
-Shape readMesh(Reader& reader, const Surroundings& around) {
-    const Value file = reader.require("file");
+Shape read(Reader& reader, const Surroundings& around) {
+    const Value file = reader.require(kFile.name);
     reader.finish(); // before a large file is read for nothing
     if (around.parts != nullptr && isGltf(file.text())) {
         readParts(reader, file, around);
@@ -92,11 +84,34 @@ Shape readMesh(Reader& reader, const Surroundings& around) {
     return placedMesh(reader, around, around.meshes.load(file));
 }
 
-Shape readTeapot(Reader& reader, const Surroundings& around) {
-    constexpr Range kLevels{1, kHighestTeapotLevel};
-    std::uint32_t level = 6;
-    reader.optional("level", level, kLevels);
-    return placedMesh(reader, around, around.meshes.loadTeapot(level));
+} // namespace
+
+ObjectRecord record(const MeshInstance& instance, ObjectTables& tables) {
+    const bool isSmooth = !tables.scene.meshes[instance.mesh].normals.empty();
+    ObjectRecord r{.type = shared::kShapeMesh | (isSmooth ? shared::kShapeSmooth : 0),
+                   .root = tables.meshRoots[instance.mesh]};
+    const glm::dmat4 toObject = glm::inverse(instance.objectToWorld);
+    for (int i = 0; i < 3; ++i) {
+        r.texels[static_cast<std::size_t>(i)] = row(toObject, i);
+    }
+    r.instance = {row(instance.objectToWorld, 0), row(instance.objectToWorld, 1), row(instance.objectToWorld, 2)};
+    return r;
 }
 
-} // namespace hyalite
+constinit const ShapeKind kMeshShape{
+    .doc =
+        {.type = "mesh",
+         .schemaName = "mesh",
+         .text = "A `mesh` is a Wavefront OBJ file (`.obj`), a PLY file (`.ply`: ascii, binary little endian or big "
+                 "endian), an STL file (`.stl`: text or binary; its corners are welded where they are equal, and it is "
+                 "shaded flat) or a glTF file. Objects that name the same file share one copy. Counter-clockwise "
+                 "corners face the viewer of the front. Vertex normals make shading smooth, where the file has them; a "
+                 "face without them stays flat. Polygons must be convex (or have four corners) and are cut into a fan "
+                 "of triangles.",
+         .keys = kKeys,
+         .rules =
+             R"({"properties": {"file": {"pattern": "\\.([oO][bB][jJ]|[pP][lL][yY]|[sS][tT][lL]|[gG][lL][tT][fF]|[gG][lL][bB])$"}}})"},
+    .read = read,
+    .makesParts = true};
+
+} // namespace hyalite::kinds

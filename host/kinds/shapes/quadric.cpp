@@ -1,0 +1,95 @@
+// Any surface of second degree, by its coefficients. Device: shaders/shapes/quadric.glsl; reference:
+// host/reference/shapes/quadric.cpp.
+#include "scene/model/quadric.h"
+#include "kinds/shapes/clipped_quadric.h"
+#include "kinds/shapes/object_record.h"
+#include "kinds/shapes/shape_kinds.h"
+#include "scene/model/bounds.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace hyalite::kinds {
+namespace {
+
+// Of a coefficient: squares and products of them are far from the ends of a double's range.
+constexpr double kLargestCoefficient = 1e30;
+constexpr double kSmallestCoefficient = 1e-30;
+constexpr Range kCoefficient{-kLargestCoefficient, kLargestCoefficient};
+constexpr KeyDoc kCoefficients{
+    .name = "coefficients",
+    .type = KeyType::Other,
+    .range = kCoefficient,
+    .required = true,
+    .text = "a to j of a x² + 2b xy + 2c xz + 2d x + e y² + 2f yz + 2g y + h z² + 2i z + j; inside: ≤ 0",
+    .schema =
+        R"({"type": "array", "items": {"type": "number", "minimum": -1e30, "maximum": 1e30}, "minItems": 10, "maxItems": 10})",
+    .typeText = "ten numbers, a to j",
+    .rangeText = "each [-1e30, 1e30], not all 0"};
+constexpr std::array kKeys{kCoefficients, kClip, kCaps};
+
+// The far side of a box that has none: beyond kEndless of the kernels whatever the transform.
+constexpr double kNoSide = 3e38;
+
+// Where the form is best written about: near the middle of the box if it has one, else near its own origin.
+glm::dvec3 localCenter(const Quadric& quadric) {
+    const Bounds box = objectBounds(quadric);
+    const glm::dvec3 near = isFinite(box) ? 0.5 * (box.low + box.high) : glm::dvec3(0);
+    const glm::dvec3 center = near + formCenter(transformed(quadric.form, glm::translate(glm::dmat4(1), -near)));
+    // The centre of a slice far from it is of no use
+    const bool isNear = !isFinite(box) || glm::length(center - near) <= 2 * glm::length(box.high - box.low);
+    return isNear ? center : near;
+}
+
+Shape read(Reader& reader, const Surroundings& around) {
+    const Value written = reader.require(kCoefficients.name);
+    const std::vector<double> c = written.numbers(10, kCoefficient);
+    const QuadricForm form{c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8], c[9]};
+    const auto isSmall = [](double coefficient) { return std::abs(coefficient) < kSmallestCoefficient; };
+    if (std::all_of(c.begin(), c.end(), isSmall)) {
+        written.fail("all coefficients of this quadric are 0");
+    }
+    if (std::all_of(c.begin(), c.end() - 1, isSmall) && (form.j > 0 || !reader.find(kClip.name))) {
+        written.fail("of these coefficients only the last is not 0: q is the same everywhere and has no surface",
+                     "the order is a b c d e f g h i j; -1 as the last within a 'clip' makes a box");
+    }
+    return clipped(reader, written, {.form = normalised(form), .objectToWorld = around.placement.objectToWorld});
+}
+
+} // namespace
+
+ObjectRecord record(const Quadric& quadric, ObjectTables& /*tables*/) {
+    ObjectRecord r{.type = shared::kShapeQuadric};
+    const bool isClipped =
+        quadric.clip.low != Bounds::everything().low || quadric.clip.high != Bounds::everything().high;
+    if (isClipped && !quadric.capped) {
+        r.type |= shared::kShapeOpen;
+    }
+    const glm::dvec3 origin = setLocalSpace(r, quadric.objectToWorld, localCenter(quadric));
+    const QuadricForm q = transformed(quadric.form, glm::translate(glm::dmat4(1), -origin));
+    const glm::dvec3 low = glm::max(quadric.clip.low - origin, glm::dvec3(-kNoSide));
+    const glm::dvec3 high = glm::min(quadric.clip.high - origin, glm::dvec3(kNoSide));
+    r.texels[4] = glm::dvec4(q.a, q.e, q.h, q.j);
+    r.texels[5] = glm::dvec4(q.b, q.c, q.f, low.x);
+    r.texels[6] = glm::dvec4(q.d, q.g, q.i, high.x);
+    r.texels[7] = glm::dvec4(low.y, high.y, low.z, high.z);
+    return r;
+}
+
+constinit const ShapeKind kQuadricShape{
+    .doc = {.type = "quadric",
+            .schemaName = "quadric",
+            .text = "Any surface of second degree: inside, q ≤ 0, where\n\nq(x, y, z) = a x² + 2b xy + 2c xz + 2d x + "
+                    "e y² + 2f yz + 2g y + h z² + 2i z + j\n\nMind the factors of 2: x² + y² + z² - 2x is `[1, 0, 0, "
+                    "-1, 1, 0, 0, 1, 0, 0]`. Coefficients times a positive number are the same shape; times a negative "
+                    "one, inside and outside change places. q must be below 0 somewhere, and above 0 somewhere unless "
+                    "capped faces give the shape its surface: with -1 as the last coefficient and nothing else, a "
+                    "capped `clip` box is all there is. A quadric far from its origin loses digits in its "
+                    "coefficients: put it near, and move it there with a `transform`.",
+            .keys = kKeys,
+            .rules = kCapsNeedClip},
+    .read = read};
+
+} // namespace hyalite::kinds
