@@ -84,6 +84,9 @@ FAULTS = [
      CAUSTICS, "fill_cells"),
     ("total of a short prefix sum forgotten", "kernels/scan_group.comp", "args.sums.at[args.count] = sum;",
      "args.sums.at[args.count] = 0u;", CAUSTICS, "scan_group"),
+    # In place of a barrier left out, which lavapipe does not show: it runs the threads of a workgroup in order
+    ("a thread that does not see another's share", "kernels/scan_group.comp", "uint before = 0u; before < thread",
+     "uint before = thread / (kGroupSize - 1u); before < thread", WHITTED, "scan_group"),
     ("total of a prefix sum forgotten", "kernels/scan_chunks.comp", "args.sums.at[end] = sum;", "args.sums.at[end] = 0u;",
      CAUSTICS, "scan_chunks"),
     ("buckets in falling order", "kernels/order_cells.comp", "if (before <= value)", "if (before >= value)", CAUSTICS,
