@@ -8,7 +8,12 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <iterator>
+#include <regex>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 namespace hyalite::parity {
@@ -41,6 +46,22 @@ Answer hitOf(std::uint64_t object, double t) {
 Comparison hitComparison() {
     const std::array<const Field*, 2> fields{&kHit.object, &kHit.t};
     return {"hits", fields, 1};
+}
+
+// As the documentation writes it, e.g. 2<sup>-18</sup> or 1.07 · 2<sup>-9</sup>.
+std::string powerOfTwo(double x) {
+    if (x == 0) {
+        return "0";
+    }
+    int exponent = 0;
+    const double mantissa = 2 * std::frexp(x, &exponent);
+    std::ostringstream text;
+    text << std::setprecision(4);
+    if (mantissa != 1) {
+        text << mantissa << " · ";
+    }
+    text << "2<sup>" << exponent - 1 << "</sup>";
+    return text.str();
 }
 
 } // namespace
@@ -120,6 +141,20 @@ TEST_CASE("a stage where roundings decide too often does not pass") {
     static_cast<void>(comparison.compare("", 100, hitOf(2, 5), coin, noInputs));
     CHECK(comparison.result().apart == 3);
     CHECK_FALSE(comparison.result().passed());
+}
+
+TEST_CASE("the table of docs/parity.md is that of the tolerances") {
+    std::ifstream file(HYALITE_SOURCE_DIR "/docs/parity.md");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    std::string table = "| what | relative | to | why |\n|---|---|---|---|\n";
+    for (const Tolerance* tolerance : kTolerances) {
+        table += "| " + std::string(tolerance->of) + " | " + powerOfTwo(tolerance->relative) + " | " +
+                 std::string(tolerance->scale) + " | " +
+                 std::regex_replace(std::string(tolerance->reason), std::regex("2\\^(-?[0-9]+)"), "2<sup>$1</sup>") +
+                 " |\n";
+    }
+    INFO("expected:\n" << table);
+    CHECK(text.find("\n" + table + "\n") != std::string::npos); // an empty line ends it
 }
 
 TEST_CASE("an answer with a field that its check does not list is a fault of the check") {

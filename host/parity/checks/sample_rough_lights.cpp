@@ -57,11 +57,8 @@ void compareSampleRoughLights(const Stage& stage) {
                     reference::sampleRoughLight(sides.world(), x, args.pass, lightOf(args.light), nudge.shift());
                 bool isSeen = sample.has_value();
                 if (isSeen) {
-                    const dvec3 way = sample->to - sample->from;
-                    const double distance = glm::length(way);
-                    const bool through = glm::dot(way, x.surface.geometricNormal) < 0;
-                    isSeen = !sides.trace({.origin = sample->from, .direction = way / distance, .tMax = distance},
-                                          through ? point.from ^ shared::kRayInside : point.from);
+                    const bool through = glm::dot(sample->to - sample->from, x.surface.geometricNormal) < 0;
+                    isSeen = isUnoccluded(sides, *sample, through ? point.from ^ shared::kRayInside : point.from);
                 }
                 const dvec3 light = isSeen ? sample->contribution : dvec3(0);
                 return lightAdded(glm::vec3(before[point.result]) + glm::vec3(light) == before[point.result] ? dvec3(0)

@@ -47,15 +47,9 @@ void compareLight(const AtSurface& at, const shared::TraceWhittedArguments& args
                 x.position = nudge.point(x.position, sides.scale());
                 x.shadowOrigin = x.position;
                 x.normal = nudge.direction(x.normal);
-                for (std::uint32_t lamp = 0; lamp < args.lightCount; ++lamp) {
-                    const auto sample = reference::sampleLight(sides.world(), x, args.pass, lamp, nudge.shift());
-                    if (!sample) {
-                        continue;
-                    }
-                    const dvec3 way = sample->to - sample->from;
-                    const double distance = glm::length(way);
-                    if (!sides.trace({.origin = sample->from, .direction = way / distance, .tMax = distance},
-                                     point.from)) {
+                for (std::uint32_t number = 0; number < args.lightCount; ++number) {
+                    const auto sample = reference::sampleLight(sides.world(), x, args.pass, number, nudge.shift());
+                    if (sample && isUnoccluded(sides, *sample, point.from)) {
                         direct += sample->contribution;
                     }
                 }
