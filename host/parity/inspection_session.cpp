@@ -4,6 +4,7 @@
 #include "parity/checks/checks.h"
 #include "parity/observed.h"
 #include "reference/bsdf/custom_twins.h"
+#include "render/film/film.h"
 #include "render/integrators/registry.h"
 #include "scene/model/render_seed.h"
 

@@ -23,8 +23,8 @@ struct PhotonChoice {
 
 class InspectionSession {
 public:
-    // `scene` as it was uploaded to `device`, the camera of `deviceScene` included. References are kept to the device
-    // and to both scenes: they must outlive every call that renders (followPixel, followPhoton).
+    // `scene` as it was uploaded to `device`, the camera of `deviceScene` included. References are kept: `scene` must
+    // outlive the session, `device` and `deviceScene` every call that renders (followPixel, followPhoton).
     InspectionSession(render::Device& device, const Scene& scene, const render::DeviceScene& deviceScene);
 
     // The path of a pixel (y * width + x) or of a photon in pass number `pass`, on both sides. Renders that pass on the
