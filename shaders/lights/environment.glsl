@@ -16,9 +16,14 @@ vec3 environmentRadiance(LightRecord light, vec3 direction) {
     return light.texels.at[row * light.columns + column];
 }
 
+struct EnvironmentChoice {
+    vec3 direction; // unit, towards the light
+    vec3 radiance;  // of the texel that was chosen: rounding may put the direction just beyond its edge
+};
+
 // A texel with a probability in proportion to the mean of its channels times its solid angle, then any direction of it:
 // pdfW is in proportion to that mean.
-vec3 environmentDirection(LightRecord light, vec2 u) {
+EnvironmentChoice chooseEnvironment(LightRecord light, vec2 u) {
     Choice row = choose(light.cdfs, 0u, light.rows, u.y);
     Choice column = choose(light.cdfs, light.rows + row.index * light.columns, light.columns, u.x);
     float top = sinCosTurns(0.5 * float(row.index) / float(light.rows)).y;
@@ -27,31 +32,31 @@ vec3 environmentDirection(LightRecord light, vec2 u) {
     float around = (float(column.index) + column.rest) / float(light.columns) - light.rotation;
     vec2 sc = sinCosTurns(around - floor(around));
     float radius = sqrt((1.0 - y) * (1.0 + y));
-    return vec3(-radius * sc.x, y, radius * sc.y);
+    return EnvironmentChoice(vec3(-radius * sc.x, y, radius * sc.y),
+                             light.texels.at[row.index * light.columns + column.index]);
 }
 
-// Density [1/sr] with which environmentDirection finds a direction of this radiance.
+// Density [1/sr] with which chooseEnvironment finds a direction of this radiance.
 float environmentPdf(LightRecord light, vec3 radiance) {
     return dot(radiance, vec3(1.0)) / (4.0 * kPi * dot(light.emission, vec3(1.0)));
 }
 
 LightSample sampleEnvironment(LightRecord light, vec2 u) {
-    vec3 direction = environmentDirection(light, u);
-    vec3 radiance = environmentRadiance(light, direction);
-    float pdfW = environmentPdf(light, radiance);
-    return LightSample(direction, pdfW > 0.0 ? radiance / pdfW : vec3(0.0), pdfW, direction, kInfinity);
+    EnvironmentChoice chosen = chooseEnvironment(light, u);
+    float pdfW = environmentPdf(light, chosen.radiance);
+    return LightSample(chosen.direction, pdfW > 0.0 ? chosen.radiance / pdfW : vec3(0.0), pdfW, chosen.direction, kInfinity);
 }
 
-// Flux [W] of the light if all that it emits were like its rays in `direction`.
-vec3 environmentRayPower(LightRecord light, vec3 direction) {
-    vec3 radiance = environmentRadiance(light, -direction);
+// Flux [W] of the light if all that it emits were like its rays of this radiance.
+vec3 environmentRayPower(LightRecord light, vec3 radiance) {
     float pdfW = environmentPdf(light, radiance);
     return pdfW > 0.0 ? radiance * (light.area / pdfW) : vec3(0.0);
 }
 
 LightRay emitFromEnvironment(LightRecord light, vec2 uOrigin, vec2 uDirection) {
-    vec3 direction = -environmentDirection(light, uDirection);
+    EnvironmentChoice chosen = chooseEnvironment(light, uDirection);
+    vec3 direction = -chosen.direction;
     return LightRay(pointOnDisc(light, direction, uOrigin), direction, vec3(0.0), 0.0,
-                    environmentRayPower(light, direction), 0.0, 1.0 / light.area);
+                    environmentRayPower(light, chosen.radiance), 0.0, 1.0 / light.area);
 }
 #endif

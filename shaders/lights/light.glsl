@@ -87,11 +87,6 @@ bool looksAtAny(LightArray lights, uint count, vec3 origin, vec3 direction) {
 
 // ---- From the light into the scene
 
-// Flux [W] of the light if all that it emits were like its rays in `direction`: on average over emitFrom, its power.
-vec3 rayPower(LightRecord light, vec3 direction) {
-    return isLight(light.type, kLightEnvironment) ? environmentRayPower(light, direction) : light.power;
-}
-
 // Density [1/sr] with which emitFrom would send `direction` from a point with this normal; 0 where it never would, and
 // for parallel light.
 float emissionDensity(LightRecord light, vec3 normal, vec3 direction) {

@@ -104,7 +104,6 @@ AimedRay aimRay(LightRecord light, TargetArray targets, uint count, LightRay ray
         }
         density += i == chosen || isWithin(other, parallel, ray) ? 1.0 : 0.0; // the chosen one, whatever rounding says
     }
-    vec3 power = parallel ? rayPower(light, ray.direction) : light.power;
-    return AimedRay(startOf(ray), ray.direction, density > 0.0 ? power * (own * total / density) : vec3(0.0));
+    return AimedRay(startOf(ray), ray.direction, density > 0.0 ? ray.power * (own * total / density) : vec3(0.0));
 }
 #endif
