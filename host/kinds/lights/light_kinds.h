@@ -13,10 +13,11 @@ extern const LightKind kPointLight;
 extern const LightKind kSpotLight;
 extern const LightKind kDirectionalLight;
 extern const LightKind kAreaLight;
+extern const LightKind kSkyLight;
 
 // In the order of the device's table.
 inline constexpr std::array kLightKinds{
-    &kEnvironmentLight, &kPointLight, &kSpotLight, &kDirectionalLight, &kAreaLight,
+    &kEnvironmentLight, &kPointLight, &kSpotLight, &kDirectionalLight, &kAreaLight, &kSkyLight,
 };
 
 } // namespace hyalite::kinds

@@ -89,6 +89,7 @@ TEST_CASE("the JSON Schema has exactly the keys that the loader knows") {
         {"/$defs/directionalLight",
          "hyalite: 1\nobjects: []\nlights: [{type: directional, direction: [0, 1, 0], unheardof: 1}]\n"},
         {"/$defs/environment", "hyalite: 1\nobjects: []\nlights: [{type: environment, unheardof: 1}]\n"},
+        {"/$defs/skyLight", "hyalite: 1\nobjects: []\nlights: [{type: sky, sun: [0, 1, 0], unheardof: 1}]\n"},
         {"/$defs/sphere", object + "shape: {type: csg, op: union, left: {type: sphere, radius: 1, unheardof: 1}, "
                                    "right: {type: sphere, radius: 1}}}]\n"},
         {"/$defs/object", object + "shape: {type: sphere, radius: 1}, unheardof: 1}]\n"},
