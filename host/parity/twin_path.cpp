@@ -45,7 +45,7 @@ void stepCamera(const Sides& sides, std::uint32_t pass, const PathState& state, 
             goOn(*next);
         }
     }
-    if (shading.visible && shading.visible->f != glm::dvec3(0)) {
+    if (shading.visible && reference::receiverAt(*shading.visible).f != glm::dvec3(0)) {
         step.vertex.choice |= kDiffuse;
         if (world.cameraPaths.bouncesAtDiffuse) {
             if (const auto next = reference::bouncePath(world, *shading.visible, state.camera, pass)) {

@@ -99,8 +99,8 @@ void visitCodes(S& scene, Visit&& visit) {
         }
     }
     for (auto& material : scene.materials) {
-        if (auto* custom = std::get_if<CustomReflectance>(&material.model)) {
-            visit(custom->code);
+        if (material.model.code != nullptr) {
+            visit(material.model.code);
         }
     }
 }
