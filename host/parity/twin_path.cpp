@@ -2,6 +2,7 @@
 
 #include "reference/integrators/path.h"
 #include "reference/lib/sampling.h"
+#include "reference/lights/receiver.h"
 #include "scene/model/integrators.h"
 
 #include <algorithm>
