@@ -204,7 +204,7 @@ TEST_CASE("buffers come from the file or from its folder, never from elsewhere")
     CHECK_THAT(load("missing.bin", size).value().what(), ContainsSubstring("no such file"));
     CHECK_THAT(load("data:text/plain,abc", size).value().what(), ContainsSubstring("must be base64"));
     CHECK_THAT(load("data:;base64,ab*d", size).value().what(), ContainsSubstring("not valid base64"));
-    CHECK_THAT(load("data:;base64,AAAA", size).value().what(), ContainsSubstring("there are 3"));
+    CHECK_THAT(load("data:;base64,AAAA", size).value().what(), ContainsSubstring("but holds 3"));
 }
 
 TEST_CASE("a binary glTF file cut off anywhere, or changed in its header, is an error") {
