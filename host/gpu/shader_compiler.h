@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hyalite::gpu {
@@ -41,6 +43,8 @@ public:
 
     // A number that changes with any source below the shaders folder.
     [[nodiscard]] std::uint64_t hashOfSources() const;
+    // A number that changes with any source that these kernels reach. Throws Error(BadInput) where one is not there.
+    [[nodiscard]] std::uint64_t hashOfSources(std::span<const std::string_view> kernels) const;
 
     [[nodiscard]] const std::filesystem::path& shaders() const { return shaders_; }
 

@@ -99,10 +99,10 @@ void PhotonMapping::prepareMaps() {
     if (load_.empty()) {
         maps_.trace();
     } else {
-        maps_.load(readPhotons(load_, photonFingerprint(scene_, deviceScene_)));
+        maps_.load(readPhotons(load_, identifyPhotons(scene_, deviceScene_, device_.compiler)));
     }
     if (!save_.empty()) {
-        writePhotons(save_, maps_.lists(), photonFingerprint(scene_, deviceScene_));
+        writePhotons(save_, maps_.lists(), identifyPhotons(scene_, deviceScene_, device_.compiler));
     }
     maps_.build();
     if (scene_.render.photonMap.view == PhotonView::Photons) {
