@@ -88,6 +88,23 @@ std::string keyTable(std::span<const KeyDoc> keys, const std::string& extraHead,
     return table;
 }
 
+std::string typeTable(std::span<const MapDoc> types) {
+    std::string table =
+        row({"type", "key", "kind", "unit", "default", "range", "meaning"}) + "|---|---|---|---|---|---|---|\n";
+    for (const MapDoc& type : types) {
+        std::string name = '`' + std::string(type.type) + '`';
+        if (type.keys.empty()) {
+            table += row({name, "", "", "", "", "", std::string(type.text)});
+        }
+        for (const KeyDoc& key : type.keys) {
+            table += row({name, '`' + std::string(key.name) + '`', typeText(key), std::string(key.range.unit),
+                          std::string(key.defaultText), rangeText(key), std::string(key.text)});
+            name.clear(); // said once
+        }
+    }
+    return table;
+}
+
 std::string withGenerated(const std::string& text, const std::string& name, const std::string& part) {
     const std::string mark = "<!-- generated: " + name + " -->\n";
     const std::size_t start = text.find(mark);

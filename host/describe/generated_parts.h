@@ -14,6 +14,9 @@ namespace hyalite::describe {
 [[nodiscard]] std::string keyTable(std::span<const KeyDoc> keys, const std::string& extraHead = {},
                                    const std::vector<std::string>& extra = {});
 
+// One table of all types of a group, such as the lights: a row for each key, behind the type that it belongs to.
+[[nodiscard]] std::string typeTable(std::span<const MapDoc> types);
+
 // `text` with the lines between <!-- generated: NAME --> and the next <!-- end --> replaced. Throws Error(BadInput)
 // where the marks are missing.
 [[nodiscard]] std::string withGenerated(const std::string& text, const std::string& name, const std::string& part);

@@ -61,6 +61,17 @@ TEST_CASE("a table has a row for each key, in words of the scene format") {
           "| `open` | true or false | | false | | all | |\n");
 }
 
+TEST_CASE("a table of types names each type at its first key") {
+    const std::array<MapDoc, 2> types{
+        {{.type = "cells", .keys = std::span(kKeys).first(2)}, {.type = "plain", .text = "has no keys"}}};
+    CHECK(describe::typeTable(types) ==
+          "| type | key | kind | unit | default | range | meaning |\n"
+          "|---|---|---|---|---|---|---|\n"
+          "| `cells` | `size` | number | m | | [1e-9, 1e9] | edge of a cell, see [cells](cells.md) |\n"
+          "| | `share` | number | | 2/3 | (0, 1) | of the `light` |\n"
+          "| `plain` | | | | | | has no keys |\n");
+}
+
 TEST_CASE("a definition is a JSON schema of the map") {
     const std::string text =
         describe::definition({.type = "cells", .keys = kKeys, .rules = R"({"not": {"required": ["pair", "open"]}})"});
