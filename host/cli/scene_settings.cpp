@@ -50,13 +50,17 @@ std::vector<SettingAssignment> SettingOptions::given() const {
         }
     }
     for (const std::string& text : assignments) {
-        const std::size_t equals = text.find('=');
-        if (equals == std::string::npos) {
-            throw Error(ExitCode::WrongUsage, "--set " + text + " has no value", "write --set key=value");
-        }
-        settings.push_back({text.substr(0, equals), text.substr(equals + 1)});
+        settings.push_back(parseAssignment(text));
     }
     return settings;
+}
+
+SettingAssignment parseAssignment(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) {
+        throw Error(ExitCode::WrongUsage, "--set " + text + " has no value", "write --set key=value");
+    }
+    return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
 } // namespace hyalite::cli

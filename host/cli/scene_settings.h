@@ -37,4 +37,7 @@ struct SettingOptions {
     [[nodiscard]] std::vector<SettingAssignment> given() const;
 };
 
+// "render.radius=0.01" of --set. Throws Error(WrongUsage) where it has no value.
+[[nodiscard]] SettingAssignment parseAssignment(const std::string& text);
+
 } // namespace hyalite::cli
