@@ -233,8 +233,9 @@ std::vector<Setting> renderRows() {
                                        .photons = PhotonsDepend::OnValue}),
         render<&RenderSettings::sampler>(
             {.doc = {.name = "sampler",
-                     .text = "random numbers: points that fill the space evenly, or each without regard to the others, "
-                             "to measure what that gains"},
+                     .text =
+                         "random numbers that fill the space evenly, or each without regard to the others, to measure "
+                         "what that gains"},
              .option = "--sampler",
              .photons = PhotonsDepend::OnValue}),
         render<&RenderSettings::radius>(
