@@ -5,6 +5,7 @@
 #include "cli/command.h"
 #include "cli/number_check.h"
 #include "cli/open_device.h"
+#include "cli/scene_settings.h"
 #include "cli/shader_folder.h"
 #include "gpu/context.h"
 #include "live/live_server.h"
@@ -77,11 +78,8 @@ void runLive(LiveCommand command) {
     options.supervisor.limit = command.limit;
     options.supervisor.say = [](const std::string& line) { std::cout << line << std::endl; };
     for (const std::string& setting : command.settings) {
-        const std::size_t equals = setting.find('=');
-        if (equals == std::string::npos) {
-            throw Error(ExitCode::WrongUsage, "--set " + setting + " has no value", "write --set key=value");
-        }
-        options.supervisor.settings[setting.substr(0, equals)] = setting.substr(equals + 1);
+        SettingAssignment given = parseAssignment(setting);
+        options.supervisor.settings[given.key] = std::move(given.value);
     }
     live::serve(std::move(options));
 }

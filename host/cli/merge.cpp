@@ -55,7 +55,7 @@ void merge(const MergeCommand& command) {
     const render::Checkpoint whole = readParts(command.parts);
     RenderReport report;
     report.scene = whole.identity.scene;
-    report.integrator = whole.identity.setting("integrator");
+    report.integrator = whole.identity.setting("render.integrator");
     report.backend = "vulkan";
     report.seed = static_cast<std::uint32_t>(parseWhole(whole.identity.setting("render.seed")).value_or(0));
     report.sampler = whole.identity.setting("render.sampler");

@@ -27,12 +27,8 @@ struct Sought {
     DeviceChoice device;
     bool fullSize = false;
     bool testSize = false;
-    std::vector<SceneSetting> shorthands{
-        {"--integrator", "render.integrator", {}}, {"--resolution", "camera.resolution", {}},
-        {"--passes", "render.passes", {}},         {"--photons", "render.photons", {}},
-        {"--max-depth", "render.max_depth", {}},   {"--seed", "render.seed", {}}};
-    std::vector<std::string> settings;
-    std::vector<std::string> twins; // files
+    SettingOptions settings{"--target-error"}; // every pass is compared
+    std::vector<std::string> twins;            // files
 };
 
 struct ParityCommand : Sought {
@@ -50,17 +46,7 @@ struct InspectCommand : Sought {
 
 void addSought(CLI::App& sub, Sought& sought) {
     sub.add_option("SCENE", sought.scene, "scene file (YAML)")->required();
-    const auto shorthand = [&](std::size_t index, const std::string& text) {
-        SceneSetting& setting = sought.shorthands[index];
-        sub.add_option(setting.option, setting.value, text);
-    };
-    shorthand(0, integratorHelp());
-    shorthand(1, "picture size, WIDTHxHEIGHT");
-    shorthand(2, "passes, each one sample per pixel");
-    shorthand(3, "photons emitted per pass");
-    shorthand(4, "longest path in segments; whitted: reflections and refractions in a row");
-    shorthand(5, "seed of the random numbers");
-    sub.add_option("--set", sought.settings, "set a key of the scene file, e.g. --set render.radius=0.01");
+    sought.settings.addTo(sub);
     addTwinOption(sub, sought.twins);
     addDeviceOptions(sub, sought.device);
 }
@@ -71,17 +57,17 @@ Scene loadSought(const Sought& sought, bool atTestSize) {
     if (atTestSize) {
         parity::shrinkToTestSize(scene);
     }
-    applySettings(scene, allSettings(sought.shorthands, sought.settings));
+    applySettings(scene, sought.settings.given());
     return scene;
 }
 
 // What to type to see the same again.
 std::string commandLine(const ParityCommand& command) {
     std::string line = "hyalite parity " + command.scene;
-    for (const SceneSetting& setting : command.shorthands) {
+    for (const SceneSetting& setting : command.settings.shorthands) {
         line += setting.value ? ' ' + setting.option + ' ' + *setting.value : "";
     }
-    for (const std::string& setting : command.settings) {
+    for (const std::string& setting : command.settings.assignments) {
         line += " --set " + setting;
     }
     for (const std::string& twin : command.twins) {

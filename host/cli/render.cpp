@@ -12,11 +12,11 @@
 #include "cli/shader_folder.h"
 #include "image/image_io.h"
 #include "render/debug/buffer_dump.h"
-#include "render/film/render_identity.h"
 #include "render/integrators/registry.h"
 #include "render/renderer.h"
 #include "render/wavefront/device.h"
 #include "scene/load/load_scene.h"
+#include "scene/yaml/settings_table.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -48,17 +48,9 @@ struct RenderCommand {
     bool json = false;
     bool quiet = false;
     std::uint32_t firstPass = 0; // of --passes FIRST:END
-    // Options that stand for a key of the scene file
-    std::vector<SceneSetting> shorthands{{"--integrator", "render.integrator", {}},
-                                         {"--resolution", "camera.resolution", {}},
-                                         {"--passes", "render.passes", {}},
-                                         {"--samples", "render.passes", {}},
-                                         {"--photons", "render.photons", {}},
-                                         {"--max-depth", "render.max_depth", {}},
-                                         {"--seed", "render.seed", {}},
-                                         {"--sampler", "render.sampler", {}},
-                                         {"--target-error", "render.target_error", {}}};
-    std::vector<std::string> settings; // key=value
+    SettingOptions settings;
+
+    RenderCommand() { settings.shorthands.push_back({"--samples", "render.passes"}); }
 };
 
 // An option that would have no effect is a mistake, not a matter of taste.
@@ -81,12 +73,12 @@ void refuseDeviceOptions(const RenderCommand& command) {
 // The command that shows a pixel's path in this render, but for the pixel and the pass.
 std::string inspectCommand(const RenderCommand& command) {
     std::string text = "hyalite inspect " + command.scene;
-    for (const SceneSetting& setting : command.shorthands) {
+    for (const SceneSetting& setting : command.settings.shorthands) {
         if (setting.value && setting.key != "render.passes") {
             text += " --set " + setting.key + '=' + *setting.value;
         }
     }
-    for (const std::string& setting : command.settings) {
+    for (const std::string& setting : command.settings.assignments) {
         text += " --set " + setting;
     }
     return text;
@@ -226,7 +218,7 @@ void checkCheckpoint(const RenderCommand& command) {
 
 // --passes FIRST:END means those passes alone, with the numbers that they have in a render of all.
 void splitPassRange(RenderCommand& command) {
-    for (SceneSetting& setting : command.shorthands) {
+    for (SceneSetting& setting : command.settings.shorthands) {
         const std::size_t colon =
             setting.key == "render.passes" && setting.value ? setting.value->find(':') : std::string::npos;
         if (colon == std::string::npos) {
@@ -262,7 +254,7 @@ void renderScene(RenderCommand command, ExitCode& exit) {
     } else if (!command.twins.empty()) {
         throw Error(ExitCode::WrongUsage, "--backend vulkan has no use for --twins");
     }
-    applySettings(scene, allSettings(command.shorthands, command.settings));
+    applySettings(scene, command.settings.given());
     if (command.outputs.empty()) {
         command.outputs.push_back(std::filesystem::path(command.scene).stem().string() + ".png");
     }
@@ -276,7 +268,7 @@ void renderScene(RenderCommand command, ExitCode& exit) {
     report.integrator = scene.render.integrator;
     report.backend = command.backend;
     report.seed = scene.render.seed;
-    report.sampler = render::nameOf(scene.render.sampler);
+    report.sampler = nameOf(scene.render.sampler);
     report.targetError = scene.render.targetError;
     report.resolution = scene.camera.resolution;
     report.outputs = command.outputs;
@@ -309,27 +301,16 @@ void addRender(CLI::App& app, ExitCode& exit) {
     CLI::App* sub = app.add_subcommand("render", "render a scene to pictures");
     sub->add_option("SCENE", command->scene, "scene file (YAML)")->required();
     sub->add_option("-o,--output", command->outputs, "picture to write, .png or .exr; may be given several times");
-    const auto shorthand = [&](std::size_t index, const std::string& text) {
-        SceneSetting& setting = command->shorthands[index];
-        sub->add_option(setting.option, setting.value, text);
-    };
-    shorthand(0, integratorHelp());
-    shorthand(1, "picture size, WIDTHxHEIGHT");
-    shorthand(2, "passes, each one sample per pixel; FIRST:END: a part of them, see merge");
-    shorthand(3, "the same as --passes");
+    command->settings.addTo(*sub);
+    CLI::Option* passes = sub->get_option("--passes");
+    passes->description(passes->get_description() + "; FIRST:END: a part of them, see merge");
     sub->get_option("--samples")->excludes("--passes");
-    shorthand(4, "photons emitted per pass");
-    shorthand(5, "longest path in segments; whitted: reflections and refractions in a row");
-    shorthand(6, "seed of the random numbers");
-    shorthand(8, "stop when the estimated error is no larger; --passes is then the most there may be");
-    shorthand(7, "random numbers: sobol (evenly spread) or independent");
     sub->add_option("--backend", command->backend, "vulkan, or reference (CPU, double precision)")
         ->check(CLI::IsMember({"vulkan", "reference"}));
     addTwinOption(*sub, command->twins);
     addDeviceOptions(*sub, command->device);
     sub->add_option("--time", command->time, "stop when this many seconds of rendering would be exceeded")
         ->check(finiteNumber(/*zeroAllowed*/ false));
-    sub->add_option("--set", command->settings, "set a key of the scene file, e.g. --set render.radius=0.01");
     sub->add_flag("--layers", command->layers,
                   "write the parts that the picture is the sum of, and its standard error, into .exr files too");
     sub->add_option("--checkpoint", command->checkpoint,

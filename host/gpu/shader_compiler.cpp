@@ -127,6 +127,16 @@ SpirV compileSource(const std::string& kernel, const fs::path& file, const Shade
     return inlineFunctions(std::move(spirv));
 }
 
+// Of names relative to the folder and of contents: where the folder stands does not matter.
+std::uint64_t hashOf(const SourceTexts& texts, const fs::path& folder) {
+    std::uint64_t hash = kFnvStart;
+    for (const auto& [path, text] : texts) {
+        const std::string name = fs::path(path).lexically_relative(folder).string() + '\n';
+        hash = fnv(std::as_bytes(std::span(text)), fnv(std::as_bytes(std::span(name)), hash));
+    }
+    return hash;
+}
+
 } // namespace
 
 std::string compilerVersions() {
@@ -231,12 +241,15 @@ std::uint64_t ShaderCompiler::hashOfSources() const {
     for (const auto& [path, text] : replaced_) {
         texts[(shaders_ / path).lexically_normal().string()] = text;
     }
-    std::uint64_t hash = kFnvStart;
-    for (const auto& [path, text] : texts) {
-        const std::string name = fs::path(path).lexically_relative(shaders_.lexically_normal()).string() + '\n';
-        hash = fnv(std::as_bytes(std::span(text)), fnv(std::as_bytes(std::span(name)), hash));
+    return hashOf(texts, shaders_.lexically_normal());
+}
+
+std::uint64_t ShaderCompiler::hashOfSources(std::span<const std::string_view> kernels) const {
+    SourceTexts texts;
+    for (const std::string_view kernel : kernels) {
+        texts.merge(sourcesOf(std::string(kernel)).texts);
     }
-    return hash;
+    return hashOf(texts, shaders_.lexically_normal());
 }
 
 } // namespace hyalite::gpu

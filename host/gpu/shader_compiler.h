@@ -4,6 +4,8 @@
 #include "gpu/kernel_compiler.h"
 
 #include <optional>
+#include <span>
+#include <string_view>
 
 namespace hyalite::gpu {
 
@@ -37,6 +39,8 @@ public:
 
     // A number that changes with any source below the shaders folder.
     [[nodiscard]] std::uint64_t hashOfSources() const;
+    // A number that changes with any source that these kernels reach. Throws Error(BadInput) where one is not there.
+    [[nodiscard]] std::uint64_t hashOfSources(std::span<const std::string_view> kernels) const;
 
     [[nodiscard]] const std::filesystem::path& shaders() const override { return shaders_; }
 

@@ -81,35 +81,18 @@ void LiveRenderer::load(const std::filesystem::path& file, const reference::Twin
 
 Scene LiveRenderer::withView(const Scene& scene, const View& view) const {
     Scene seen = scene;
-    const auto apply = [&](const std::string& key, const std::string& value) {
-        applySetting(seen, key, value, "page");
-    };
-    // Settings may need one another (a depth of 0 suits one integrator only): what is refused is tried again after the
-    // rest
-    auto settings = view.settings;
-    while (!settings.empty()) {
-        decltype(settings) refused;
-        std::optional<Error> first;
-        for (const auto& [key, value] : settings) {
-            try {
-                apply(key, value);
-            } catch (const Error& error) {
-                first = first ? first : error;
-                refused.emplace_back(key, value);
-            }
-        }
-        if (refused.size() == settings.size()) {
-            throw Error(*first);
-        }
-        settings = std::move(refused);
+    std::vector<SettingAssignment> assignments;
+    for (const auto& [key, value] : view.settings) {
+        assignments.push_back({key, value, "page"});
     }
+    applySettings(seen, assignments);
     if (view.shown != "picture" && !debugQuantity(view.shown)) {
         const IntegratorRow* reader = soleReader("view");
         if (reader != nullptr && seen.render.integrator != reader->name) {
             seen.render.maxDepth = std::max(seen.render.maxDepth, 1U);
-            apply("render.integrator", std::string(reader->name));
+            applySetting(seen, "render.integrator", std::string(reader->name), "page");
         }
-        apply("render.view", view.shown);
+        applySetting(seen, "render.view", view.shown, "page");
     }
     return seen;
 }

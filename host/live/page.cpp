@@ -1,5 +1,7 @@
 #include "live/page.h"
 
+#include "live/setting_rows.h"
+
 namespace hyalite::live {
 
 extern const std::string_view kPageHtml;
@@ -14,6 +16,7 @@ const std::vector<Asset>& pageAssets() {
     static const std::vector<Asset> assets{
         {"/", "text/html; charset=utf-8", kPageHtml},
         {"/live.css", "text/css; charset=utf-8", kPageCss},
+        {"/settings.js", "text/javascript; charset=utf-8", settingsScript()},
         {"/live.js", "text/javascript; charset=utf-8", kPageJs},
         {"/camera.js", "text/javascript; charset=utf-8", kCameraJs},
         {"/editor.js", "text/javascript; charset=utf-8", kEditorJs},

@@ -1,5 +1,6 @@
 #include "live/scene_json.h"
 
+#include "live/setting_rows.h"
 #include "scene/yaml/yaml_tree.h"
 
 #include <fstream>
@@ -52,19 +53,6 @@ std::set<std::string> filesOf(const fs::path& scene) {
     return files;
 }
 
-Json settingsOf(const RenderSettings& render) {
-    return {{"render.integrator", render.integrator},
-            {"render.passes", render.passes},
-            {"render.photons", render.photons},
-            {"render.caustic_photons", render.photonMap.causticPhotons},
-            {"render.max_depth", render.maxDepth},
-            {"render.radius", render.radius},
-            {"render.alpha", render.alpha},
-            {"render.nearest", render.photonMap.nearest},
-            {"render.gather_rays", render.photonMap.gatherRays},
-            {"render.seed", render.seed}};
-}
-
 } // namespace
 
 Json describe(const Scene& scene, const View& view, const fs::path& file) {
@@ -90,7 +78,7 @@ Json describe(const Scene& scene, const View& view, const fs::path& file) {
               {"up", listOf(camera.up)},
               {"fov", camera.fov},
               {"resolution", {camera.resolution.x, camera.resolution.y}}}},
-            {"settings", settingsOf(scene.render)},
+            {"settings", settingValues(scene)},
             {"shown", view.shown},
             {"files", filesOf(file)},
             {"code", std::move(code)}};

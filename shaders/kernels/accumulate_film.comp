@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Adds a pass to one layer of the film. Here light leaves the floats: what is no radiance is counted and left out.
+// reads: emission, direct or gathered light
+// writes: a layer of the film, counts of what is no radiance
+// threads: pixels
+// computes: exact sum over passes
 #include "shared/kernel_arguments.h"
 #include "lib/thread.glsl"
 

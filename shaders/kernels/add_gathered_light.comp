@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Adds what a gathering ray found to the light of its pixel.
+// reads: light found by gathering rays
+// writes: gathered light
+// threads: pixels
+// computes: mean over the rays
 #include "shared/kernel_arguments.h"
 #include "lib/thread.glsl"
 

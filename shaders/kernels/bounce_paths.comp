@@ -2,6 +2,10 @@
 #extension GL_GOOGLE_include_directive : require
 // Path tracing goes on from diffuse surfaces, by the cosine. Roulette ends paths in proportion to what they still carry
 // [Arvo90].
+// reads: visible points, camera paths
+// writes: next rays and paths, alive flags
+// threads: camera paths
+// computes: β f π by the cosine, roulette p = max β [Arvo90]
 #include "shared/kernel_arguments.h"
 #include "lights/receiver.glsl"
 #include "lib/sampling.glsl"

@@ -2,6 +2,10 @@
 #extension GL_GOOGLE_include_directive : require
 // Follows photons straight from the light through everything in their way. On diffuse surfaces they leave a direct photon
 // first and shadow photons after that, without power: what the light reaches, and what it does not [JensenChristensen95].
+// reads: rays, hits, paths, materials
+// writes: direct and shadow photons, next rays and paths, alive flags
+// threads: photon paths
+// computes: straight on through everything [JensenChristensen95]
 #include "shared/kernel_arguments.h"
 #include "bsdf/bsdf.glsl"
 #include "photons/photon.glsl"

@@ -2,6 +2,10 @@
 #extension GL_GOOGLE_include_directive : require
 // Tells by the photons about a visible point which lights it sees: those whose photons nearby are all direct, and are
 // enough, are seen; those of which there are but shadow photons are hidden; of the rest a shadow ray decides [JensenChristensen95].
+// reads: visible points, shadow map
+// writes: lights seen, lights hidden
+// threads: visible points
+// computes: all photons nearby agree [JensenChristensen95]
 #include "shared/kernel_arguments.h"
 #include "photons/nearest.glsl"
 #include "lib/thread.glsl"

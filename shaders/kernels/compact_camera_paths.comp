@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Closes the gaps between the camera paths that go on, keeping their order.
+// reads: next rays and paths, alive flags, their sums
+// writes: rays, paths
+// threads: slots
+// computes: surviving paths, without gaps, in order
 #include "shared/kernel_arguments.h"
 #include "lib/thread.glsl"
 

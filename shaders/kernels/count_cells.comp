@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Counts the photons of every bucket of the grid; empty slots do not count.
+// reads: photons
+// writes: photons per bucket, rank of each
+// threads: photon slots
+// computes: bucket = hash(y, z) + x
 #include "shared/kernel_arguments.h"
 #include "photons/grid.glsl"
 #include "lib/thread.glsl"

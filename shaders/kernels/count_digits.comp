@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // First half of a radix sort's round: how often each digit occurs in every chunk of the three lists.
+// reads: keys along three axes
+// writes: digits per chunk
+// threads: chunks
+// computes: radix sort, first half of a round
 #include "shared/kernel_arguments.h"
 #include "lib/thread.glsl"
 

@@ -2,6 +2,10 @@
 #extension GL_GOOGLE_include_directive : require
 // Starts the photons of the caustic map: a light in proportion to power and share, a ray from it towards something
 // specular [Jensen01, ch. 5].
+// reads: lights, targets
+// writes: rays, photon paths
+// threads: photons
+// computes: the same towards what is specular: Φ p / q, q the density of the cones [Jensen01]
 #include "shared/kernel_arguments.h"
 #include "photons/projection.glsl"
 #include "lib/sampling.glsl"

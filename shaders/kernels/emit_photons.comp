@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Starts the photons of a pass: a light in proportion to power and share, a ray from it [Jensen01, ch. 5].
+// reads: lights
+// writes: rays, photon paths
+// threads: photons
+// computes: Φ / (pmf N) each; density of rays in proportion to the flux [Jensen01]
 #include "shared/kernel_arguments.h"
 #include "lights/light.glsl"
 #include "lib/sampling.glsl"

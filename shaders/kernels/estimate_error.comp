@@ -3,6 +3,10 @@
 // The error that the picture has on account of chance. The passes of the two camera sequences, n and m of them, have
 // independent means A and B. With variances V / n and V / m, (A - B)^2 estimates V (n + m) / (n m), so that the variance
 // of the mean over all passes, V / (n + m), is estimated by (A - B)^2 n m / (n + m)^2.
+// reads: sums over the passes of each camera sequence
+// writes: standard errors, sums of their squares
+// threads: pixels / 64
+// computes: (A − B)² n m / (n + m)²
 #include "shared/kernel_arguments.h"
 #include "film/film.glsl"
 #include "lib/thread.glsl"

@@ -3,6 +3,11 @@
 // Radiance estimate at every visible point from the k nearest photons [Jensen01, ch. 7]: the flux of those in a disc,
 // weighted by a filter, over the integral of the filter. The disc reaches to the k-th photon, which itself is left out:
 // k - 1 photons in a disc that the k-th ends estimate the density without bias; docs/photon-mapping.md has the proof.
+// reads: visible points, photon map
+// writes: gathered light, radii of the discs
+// threads: visible points
+// computes: L = f Σ w Φ / (∫w) over the disc of the k nearest [Jensen01]; see [photon
+//     mapping](../../docs/photon-mapping.md)
 #include "shared/kernel_arguments.h"
 #include "photons/custom_filter.glsl"
 #include "lights/receiver.glsl"

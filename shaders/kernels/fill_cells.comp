@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Lists the photons bucket by bucket; inside a bucket the order is yet that of arrival.
+// reads: photons, cell starts, ranks
+// writes: photon numbers by bucket
+// threads: photon slots
+// computes: counting sort
 #include "shared/kernel_arguments.h"
 #include "photons/grid.glsl"
 #include "lib/thread.glsl"

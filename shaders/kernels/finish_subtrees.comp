@@ -2,6 +2,10 @@
 #extension GL_GOOGLE_include_directive : require
 // Builds the kd-tree below one level: a thread each, for subtrees so small that splitting their lists among threads
 // would cost more than it saves.
+// reads: lists
+// writes: splits of all nodes below
+// threads: subtrees
+// computes: the same, by one thread
 #include "shared/kernel_arguments.h"
 #include "photons/kdtree.glsl"
 #include "lib/thread.glsl"

@@ -2,6 +2,10 @@
 #extension GL_GOOGLE_include_directive : require
 // Radiance estimate at every visible point: the flux of the photons in a disc about it, over the disc's area
 // [Jensen01, ch. 7], here with a fixed radius and without what of the disc lies beyond the edges of the surface.
+// reads: visible points, cell starts, photon table
+// writes: gathered light
+// threads: visible points
+// computes: L = f Σ Φ / (π r²) [Jensen01], [Knaus11]
 #include "shared/kernel_arguments.h"
 #include "lights/receiver.glsl"
 #include "photons/disc.glsl"

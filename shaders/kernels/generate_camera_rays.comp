@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Starts one camera path per pixel.
+// reads: camera
+// writes: rays, camera paths
+// threads: pixels
+// computes: image point to direction; box filter; thin lens
 #include "shared/kernel_arguments.h"
 #include "camera/camera_ray.glsl"
 #include "lib/thread.glsl"

@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Numbers the stored photons in the order of their slots and writes the three keys that each is sorted by.
+// reads: photons, sums of the marks
+// writes: sort keys of the stored photons
+// threads: photon slots
+// computes: –
 #include "shared/kernel_arguments.h"
 #include "photons/kdtree.glsl"
 #include "lib/thread.glsl"

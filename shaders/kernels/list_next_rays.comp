@@ -2,6 +2,10 @@
 #extension GL_GOOGLE_include_directive : require
 // Lists the slots where next rays stand, without gaps and in order, a chunk of paths a thread. The rays themselves stay
 // where they are: to copy them costs more than to look up where they stand.
+// reads: used slots of paths, their sums over chunks
+// writes: slots, without gaps, in order
+// threads: chunks
+// computes: second half of a prefix sum, applied
 #include "shared/kernel_arguments.h"
 #include "lib/thread.glsl"
 

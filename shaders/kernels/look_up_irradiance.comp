@@ -2,6 +2,10 @@
 #extension GL_GOOGLE_include_directive : require
 // What a gathering ray finds at the diffuse surface where it ends: the irradiance of the nearest record there
 // [Christensen99], reflected.
+// reads: visible points, irradiance map
+// writes: light gathered by rays
+// threads: visible points
+// computes: L += f E of the nearest record [Christensen99]
 #include "shared/kernel_arguments.h"
 #include "lights/receiver.glsl"
 #include "photons/nearest.glsl"

@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Tells the slots that hold a photon from the empty ones.
+// reads: photons
+// writes: 1 per stored photon
+// threads: photon slots
+// computes: –
 #include "shared/kernel_arguments.h"
 #include "lib/thread.glsl"
 

@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // The answers of photons/nearest.glsl themselves, so that they can be compared with those of asking every photon.
+// reads: visible points, photon map
+// writes: slots of the nearest photons
+// threads: visible points
+// computes: asked by tests; the search of estimate_radiance
 #include "shared/kernel_arguments.h"
 #include "photons/nearest.glsl"
 #include "lib/thread.glsl"

@@ -2,6 +2,10 @@
 #extension GL_GOOGLE_include_directive : require
 // Sorts every bucket by photon number, so that sums over it have one order and one result: an insertion sort for the
 // usual handful, a heap sort where a caustic has heaped up thousands.
+// reads: cell starts, photon numbers
+// writes: the same, ascending in each bucket
+// threads: buckets
+// computes: makes later sums reproducible
 #include "shared/kernel_arguments.h"
 #include "lib/thread.glsl"
 

@@ -2,6 +2,10 @@
 #extension GL_GOOGLE_include_directive : require
 // Parts the three lists of every node of one level: left child, the photon that splits (which leaves the lists here),
 // right child, each in the order it had.
+// reads: lists, splits, sums of these
+// writes: lists of the next level
+// threads: chunks
+// computes: stable partition [Brown15]
 #include "shared/kernel_arguments.h"
 #include "photons/kdtree.glsl"
 #include "photons/kdtree_chunk.glsl"

@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // The film as a picture: the mean over passes.
+// reads: film
+// writes: image
+// threads: pixels
+// computes: mean over passes
 #include "shared/kernel_arguments.h"
 #include "film/film.glsl"
 #include "lib/thread.glsl"

@@ -1,6 +1,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Picks a direction to a light for each visible point, and says which shadow ray decides whether its light arrives.
+// reads: visible points, lights
+// writes: shadow rays, contributions
+// threads: visible points
+// computes: L = f E cosθ / pmf: of surfaces E = Le cosθ' A / d², of points I / d², of the environment Le / pdfW; where
+//     paths go on, times p² / (p² + q²), q = cosθ / π [Veach95]
 #include "shared/kernel_arguments.h"
 #include "lights/direct_light.glsl"
 #include "lib/thread.glsl"

@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Second half of a prefix sum: exclusive sums within every chunk, on top of what precedes the chunk; the total last.
+// reads: values, what precedes each chunk
+// writes: exclusive sums
+// threads: chunks
+// computes: second half
 #include "shared/kernel_arguments.h"
 #include "lib/thread.glsl"
 

@@ -2,6 +2,10 @@
 #extension GL_GOOGLE_include_directive : require
 // A prefix sum of few values by one workgroup: each thread adds up its share of them, and starts with what the threads
 // before it have found. Where three dispatches in turn would cost more than the core that stands idle meanwhile.
+// reads: values
+// writes: exclusive sums
+// threads: one workgroup
+// computes: prefix sum of few values
 #include "shared/kernel_arguments.h"
 #include "lib/thread.glsl"
 

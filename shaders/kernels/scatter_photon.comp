@@ -3,6 +3,10 @@
 // What becomes of a photon where it lands: on a diffuse surface it is stored, then Russian roulette decides between
 // reflection and absorption [Jensen01, ch. 5]. Nothing follows a photon that has used all but the last segment of the
 // longest path: that one belongs to the camera.
+// reads: rays, hits, paths, materials, textures
+// writes: photons, next rays and paths, alive flags
+// threads: photon paths
+// computes: store; Russian roulette p = max albedo [Jensen01]
 #include "shared/kernel_arguments.h"
 #include "bsdf/bsdf.glsl"
 #include "bsdf/medium.glsl"

@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Known answers for selfTest() on the host: a long loop, texel fetches, and a struct in scalar layout.
+// reads: –
+// writes: answers that are known
+// threads: 1024
+// computes: the driver counts, loads and lays out as it should
 #include "lib/thread.glsl"
 #include "shared/self_test.h"
 

@@ -3,6 +3,11 @@
 // Decides what becomes of each camera path at its hit: emission is added to its pixel's, a diffuse part ends the path as
 // the pixel's visible point, a lobe sends it on. At smooth glass it takes one of reflection and refraction, at a surface
 // with both a diffuse part and a lobe one of these.
+// reads: rays, hits, paths, materials, textures, lights
+// writes: visible and rough points, emission (the environment's where nothing was hit), next rays and paths, alive
+//     flags
+// threads: paths
+// computes: reflection R = I − 2(N·I)N, Snell, Fresnel [Whitted80], microfacets [Walter07]; e^(−σt) in glass
 #include "shared/kernel_arguments.h"
 #include "camera/camera_path.glsl"
 #include "bsdf/medium.glsl"

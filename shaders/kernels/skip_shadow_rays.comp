@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Spares the shadow rays whose answer the photons gave: what is lit gets its light, what is shadowed gets none.
+// reads: lights seen and hidden, shadow rays, contributions
+// writes: shadow rays, direct light, counts
+// threads: shadow rays
+// computes: –
 #include "shared/kernel_arguments.h"
 #include "lib/thread.glsl"
 

@@ -2,6 +2,10 @@
 #extension GL_GOOGLE_include_directive : require
 // Second half of a radix sort's round: moves every photon of the three lists to where its digit belongs, those of one
 // digit in the order they had. The last round leaves the lists, with all three keys of each photon.
+// reads: keys, where each chunk's digits go
+// writes: keys by one more digit
+// threads: chunks
+// computes: second half
 #include "shared/kernel_arguments.h"
 #include "lib/thread.glsl"
 

@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Copies the photons into grid order: those of a bucket stand together.
+// reads: photons, their order
+// writes: sorted photons (the photon table)
+// threads: photons
+// computes: –
 #include "shared/kernel_arguments.h"
 #include "lib/thread.glsl"
 

@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Draws photons as points: each that nothing hides from the camera counts in the pixel it projects to.
+// reads: photons, tables
+// writes: photons per pixel and kind
+// threads: photons
+// computes: projection onto the image, hidden points left out
 #include "shared/kernel_arguments.h"
 #include "photons/photon.glsl"
 #include "shapes/scene.glsl"

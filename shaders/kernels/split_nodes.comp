@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Chooses the axis and the photon that split every node of one level of the kd-tree.
+// reads: lists of photons along three axes
+// writes: what splits each node of a level
+// threads: nodes
+// computes: longest edge, middle photon [Jensen01]
 #include "shared/kernel_arguments.h"
 #include "photons/kdtree.glsl"
 #include "lib/thread.glsl"

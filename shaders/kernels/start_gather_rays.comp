@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Final gathering: one ray from each visible point, with the density cos / pi that its surface weighs light by.
+// reads: visible points
+// writes: rays, camera paths, alive flags
+// threads: visible points
+// computes: final gathering: f cos / (cos / π) [Jensen96]
 #include "shared/kernel_arguments.h"
 #include "lights/receiver.glsl"
 #include "lib/sampling.glsl"

@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Turns the marked photons into records that hold the irradiance of their surface in place of a flux [Christensen99].
+// reads: photons, irradiance
+// writes: records of irradiance
+// threads: photon slots
+// computes: –
 #include "shared/kernel_arguments.h"
 #include "lib/thread.glsl"
 

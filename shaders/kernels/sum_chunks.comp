@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // First half of a prefix sum: the sum of every chunk of kScanChunk values.
+// reads: values
+// writes: sums of chunks
+// threads: chunks
+// computes: first half of a prefix sum of many
 #include "shared/kernel_arguments.h"
 #include "lib/thread.glsl"
 

@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Adds what the paths of one pixel carry, in their order: the first of each run of equal pixels adds them all.
+// reads: pixels of paths, their light
+// writes: pixels
+// threads: paths
+// computes: a pixel's tree of rays, summed in order
 #include "shared/kernel_arguments.h"
 #include "lib/thread.glsl"
 

@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Finds the closest hit of every ray.
+// reads: rays, tables of geometry and objects
+// writes: hits
+// threads: rays
+// computes: nearest t of every shape along the ray ([geometry](../../docs/geometry.md))
 #include "shared/kernel_arguments.h"
 #include "shapes/scene.glsl"
 #include "lib/thread.glsl"

@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Adds what a light contributes wherever nothing stands between it and the surface.
+// reads: shadow rays, contributions, tables
+// writes: direct light
+// threads: shadow rays
+// computes: adds what nothing blocks
 #include "shared/kernel_arguments.h"
 #include "shapes/scene.glsl"
 #include "lib/thread.glsl"

@@ -7,6 +7,12 @@
 //
 // All in one kernel: with nothing to gather between the stages, what they hand on by memory costs more than it brings
 // (docs/performance.md). Who looks on still sees it: `keeps`.
+// reads: slots of rays, rays and camera paths of the level before, tables, materials, textures, lights
+// writes: light, pixels, rough points, next rays and paths, how many of a path's slots are used; for observers, hits,
+//     emission, visible points
+// threads: rays of a level
+// computes: the four stages above for a level of the trees of rays: R and 1 − R at glass, L = Σ f I cosθ / d² over the
+//     lights [Whitted80]
 #include "shared/kernel_arguments.h"
 #include "camera/camera_path.glsl"
 #include "camera/camera_ray.glsl"

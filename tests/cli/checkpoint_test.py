@@ -76,7 +76,7 @@ class Parts(CheckpointTest):
         self.render(*common, "--passes", "2:3", "--shaders", "shaders", "--checkpoint", "shaders-part")
         for part, words in {"b": ["passes 1:2 are there twice"], "a": ["passes 0:2 are there twice"],
                             "seed": ["another render", "render.seed is 9 there and 1 here"],
-                            "camera": ["another render", "the scene's hash"],
+                            "camera": ["another render", "camera.fov is 50 there and 39.3 here"],
                             "shaders-part": ["another render", "the shaders' hash"]}.items():
             with self.subTest(part):
                 self.assert_refused(BAD_INPUT, words, ["merge", "a", part, "-o", "a.exr"])

@@ -1,6 +1,7 @@
 """Photon mapping in two passes as its users see it: the account of flux, saved maps, warnings, layers, views."""
 
 import json
+import shutil
 import struct
 
 from exr import Picture
@@ -96,16 +97,70 @@ class SavedMaps(CliTest):
         self.assertEqual((self.folder / "a.exr").read_bytes(), (self.folder / "b.exr").read_bytes())
         self.succeed("render", "ball.yaml", "--load-photons", "maps", "--set", "camera.position=[2, 2, 2]", "-o", "c.exr")
 
-    def test_maps_of_another_scene_or_other_settings_are_refused(self):
-        self.succeed("render", "ball.yaml", "--save-photons", "maps", "-o", "a.exr")
+    def save(self, scene="ball.yaml", *options):
+        self.succeed("render", scene, "--save-photons", "maps", "-o", "a.exr", *options)
+
+    def assert_not_loaded(self, what, scene="ball.yaml", *options):
+        self.assert_refused(BAD_INPUT, ["maps: the photon maps are from a different render: " + what],
+                            ["render", scene, "--load-photons", "maps", "-o", "b.exr", *options])
+
+    def test_maps_of_another_scene_or_other_settings_are_refused_by_the_name_of_what_differs(self):
+        self.save()
         self.write("other.yaml", BALL.replace("radius: 0.5", "radius: 0.51"))
-        load = ["--load-photons", "maps", "-o", "b.exr"]
-        self.assert_refused(BAD_INPUT, ["maps", "another scene"], ["render", "other.yaml", *load])
-        for setting in ("photons=2001", "caustic_photons=1", "seed=2", "max_depth=5", "shadow_photons=2",
-                        "projection_map=false"):
+        self.assert_not_loaded("the scene's hash is ", "other.yaml")
+        for setting, there in {"photons=2001": "2000", "caustic_photons=1": "2000", "seed=2": "1", "max_depth=5": "12",
+                               "sampler=independent": "sobol", "projection_map=false": "true"}.items():
             with self.subTest(setting):
-                self.assert_refused(BAD_INPUT, ["maps", "other settings"],
-                                    ["render", "ball.yaml", "--set", f"render.{setting}", *load])
+                name, here = setting.split("=")
+                self.assert_not_loaded(f"render.{name} is {there} there and {here} here", "ball.yaml",
+                                       "--set", f"render.{setting}")
+        self.assert_not_loaded("render.shadow_photons is 0 there and not 0 here", "ball.yaml",
+                               "--set", "render.shadow_photons=2")
+
+    def test_settings_of_the_second_pass_may_change(self):
+        self.save("ball.yaml", "--set", "render.shadow_photons=2")
+        for setting in ("shadow_photons=3", "nearest=20", "gather_rays=0", "caustic_filter=none", "passes=2"):
+            with self.subTest(setting):
+                self.succeed("render", "ball.yaml", "--load-photons", "maps", "-o", "b.exr",
+                             "--set", "render.shadow_photons=2", "--set", f"render.{setting}")
+
+    def test_maps_traced_by_other_shaders_are_refused(self):
+        self.save()
+        shaders = self.folder / "shaders"
+        shutil.copytree(Setup.source / "shaders", shaders)
+        self.succeed("render", "ball.yaml", "--load-photons", "maps", "-o", "b.exr", "--shaders", "shaders")
+        # What estimates from photons may change, what traces them may not
+        for kernel, traces in {"estimate_radiance": False, "scatter_photon": True}.items():
+            with self.subTest(kernel):
+                file = shaders / "kernels" / f"{kernel}.comp"
+                file.write_text(file.read_text() + "// edited\n")
+                if traces:
+                    self.assert_not_loaded("the hash of the GLSL that traces photons is ", "ball.yaml",
+                                           "--shaders", "shaders")
+                else:
+                    self.succeed("render", "ball.yaml", "--load-photons", "maps", "-o", "b.exr", "--shaders", "shaders")
+
+    def test_maps_traced_with_other_code_of_the_scene_are_refused(self):
+        self.write("own.yaml", BALL.replace("passes: 1", "passes: 1, filter: custom, filter_file: even.glsl")
+                   .replace("materials: {floor: {type: diffuse}",
+                            "textures: {own: {type: custom, file: own.glsl}}\n"
+                            "materials: {floor: {type: diffuse, albedo: {texture: own}}"))
+        texture = "vec3 own(vec3 position, vec2 uv, vec4 parameters) { return vec3(%s); }\n"
+        self.write("own.glsl", texture % "0.5")
+        self.write("even.glsl", "float even(float u) { return 1.0; }\n")
+        self.save("own.yaml")
+        self.write("even.glsl", "float even(float u) { return 2.0; }\n")
+        self.succeed("render", "own.yaml", "--load-photons", "maps", "-o", "b.exr")
+        self.write("own.glsl", texture % "0.25")
+        self.assert_not_loaded("the hash of the GLSL that traces photons is ", "own.yaml")
+
+    def test_maps_of_an_earlier_version_of_the_file_are_refused_as_such(self):
+        self.save()
+        content = (self.folder / "maps").read_bytes()
+        self.write("maps", b"hyaphot1" + content[8:])
+        self.assert_refused(BAD_INPUT, ["maps: the photon maps are from an earlier version of the program",
+                                        "write it again with --save-photons"],
+                            ["render", "ball.yaml", "--load-photons", "maps", "-o", "b.exr"])
 
     def test_damaged_maps_are_refused(self):
         self.succeed("render", "ball.yaml", "--save-photons", "maps", "-o", "a.exr")
@@ -114,7 +169,9 @@ class SavedMaps(CliTest):
         flipped[len(good) // 2] ^= 1
         greedy = bytearray(good)
         greedy[16:24] = struct.pack("<Q", 1 << 60)
-        for damage, content in {"cut": good[:-40], "flipped": flipped, "greedy": greedy, "short": b"hya",
+        wordy = bytearray(good)
+        wordy[8:16] = struct.pack("<Q", 1 << 60)
+        for damage, content in {"cut": good[:-40], "flipped": flipped, "greedy": greedy, "wordy": wordy, "short": b"hya",
                                 "other": b"x" * 500, "none": b""}.items():
             with self.subTest(damage):
                 self.write("bad", bytes(content))

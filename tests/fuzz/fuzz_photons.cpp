@@ -4,9 +4,9 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace hyalite;
-    constexpr std::uint64_t kFingerprint = 0;
+    const render::RenderIdentity identity;
     fuzz::expectAnswer(
-        [&] { static_cast<void>(render::parsePhotons(std::as_bytes(std::span(data, size)), "maps", kFingerprint)); });
+        [&] { static_cast<void>(render::parsePhotons(std::as_bytes(std::span(data, size)), "maps", identity)); });
     return fuzz::expectAnswer(
-        [&] { static_cast<void>(render::parsePhotons(fuzz::withChecksum(data, size), "maps", kFingerprint)); });
+        [&] { static_cast<void>(render::parsePhotons(fuzz::withChecksum(data, size), "maps", identity)); });
 }

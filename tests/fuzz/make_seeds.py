@@ -134,8 +134,11 @@ def checkpoint_seeds():
 
 def photons_seeds():
     photon = bytes(32)
-    yield struct.pack("<8sQ3Q", b"hyaphot1", 0, 1, 1, 0) + photon * 2
-    yield struct.pack("<8sQ3Q", b"hyaphot1", 0, 2**61, 0, 0) + photon
+    yield struct.pack("<8sQ3Q", b"hyaphot2", 0, 1, 1, 0) + photon * 2
+    yield struct.pack("<8sQ3Q", b"hyaphot2", 0, 2**61, 0, 0) + photon
+    identity = b"scene=a.yaml\nrender.photons=1\nno value\n\n"
+    yield struct.pack("<8sQ3Q", b"hyaphot2", len(identity), 1, 0, 0) + identity + photon
+    yield struct.pack("<8sQ3Q", b"hyaphot1", 0, 1, 0, 0) + photon
 
 
 def main():

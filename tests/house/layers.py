@@ -4,7 +4,7 @@ import posixpath
 import re
 
 RULE = (
-    "base <- image <- scene <- geometry <- {gpu, reference} <- kinds <- scene/load <- render <- {parity, bench} <- live <- cli; "
+    "base <- image <- scene <- geometry <- {gpu, reference} <- kinds <- {scene/load, describe} <- render <- {parity, bench} <- live <- cli; "
     "Vulkan only under host/gpu; host/scene is model <- import <- yaml, and load stands above kinds; "
     "host/render is upload <- wavefront <- {photons, film} <- integrators <- debug, then the renderer; "
     "of shaders/ the reference takes only shared/{random,limits,language}.h"
@@ -19,6 +19,7 @@ RANK = {
     "reference": 4,
     "kinds": 5,
     "scene/load": 6,
+    "describe": 6,
     "render": 7,
     "parity": 8,
     "bench": 8,

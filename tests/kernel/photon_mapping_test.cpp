@@ -5,13 +5,16 @@
 #include "reference/photons/photons.h"
 #include "reference/photons/projection_map.h"
 #include "reference/photons/shadow_photons.h"
+#include "render/photons/photon_maps.h"
 #include "render/photons/photon_paths.h"
 #include "render/photons/photon_slots.h"
 #include "render/photons/shadow_photons.h"
+#include "render/upload/scene_identity.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <set>
 #include <tuple>
 
 namespace hyalite::testing {
@@ -64,7 +67,36 @@ double meanOf(const vec3& c) {
     return (double{c.x} + c.y + c.z) / 3;
 }
 
+// Notes the names of the kernels that run.
+class NamesOfKernels : public gpu::DispatchObserver {
+public:
+    std::set<std::string> names;
+
+    void before(const gpu::Dispatch& dispatch) override { names.insert(dispatch.kernel.name()); }
+    void after(const gpu::Dispatch& /*dispatch*/) override {}
+    [[nodiscard]] bool readsBuffers() const override { return false; }
+};
+
 } // namespace
+
+TEST_CASE("the identity of photons knows every kernel that traces them") {
+    Scene scene = litBox();
+    scene.render.integrator = Integrator::PhotonMap;
+    scene.render.photons = 200;
+    scene.render.photonMap.causticPhotons = 200;
+    scene.render.photonMap.shadowPhotons = 2;
+    BothSides both(scene);
+    render::PhotonMaps maps(both.device, both.scene, both.deviceScene);
+    NamesOfKernels traced;
+    both.device.commands.observe(&traced);
+    maps.trace();
+    both.device.commands.observe(nullptr);
+    CHECK(traced.names.size() > 4);
+    for (const std::string& name : traced.names) {
+        INFO(name);
+        CHECK(std::ranges::count(render::kernelsOfPhotons(), name) == 1);
+    }
+}
 
 TEST_CASE("aimed photons leave the lights as in the reference") {
     for (const Scene& scene : {litBox(), overlapping()}) {

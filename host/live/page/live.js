@@ -6,19 +6,7 @@ const $ = (id) => document.getElementById(id);
 const VIEWS = [["picture", "picture"], ["normals", "normals"], ["depth", "depth"], ["bounces", "bounces"], ["photons", "photons"],
   ["radius", "radius of estimates"], ["global_map", "global map"], ["caustic_map", "caustic map"]];
 const QUANTITIES = new Set(["depth", "bounces", "radius"]); // no light: scaled to their 99th percentile
-const SETTINGS = [ // key, name, kind, integrators that read it (none: all)
-  ["render.integrator", "Integrator", ["ppm", "photonmap", "whitted", "path"]],
-  ["camera.resolution", "Resolution", "text"],
-  ["render.passes", "Passes", "number"],
-  ["render.max_depth", "Longest path [segments]", "number"],
-  ["render.photons", "Photons", "number", ["ppm", "photonmap"]],
-  ["render.caustic_photons", "Caustic photons", "number", ["ppm", "photonmap"]],
-  ["render.radius", "Search radius [m], 0: chosen", "number", ["ppm", "photonmap"]],
-  ["render.alpha", "Alpha", "number", ["ppm"]],
-  ["render.nearest", "Photons of an estimate", "number", ["photonmap"]],
-  ["render.gather_rays", "Gathering rays", "number", ["photonmap"]],
-  ["render.seed", "Seed", "number"],
-];
+// SETTINGS, a list of [key, label, kind, integrators that read it (none: all)], comes from settings.js.
 
 let state = null;      // the last /api/state
 let camera = null;     // as the user has it, ahead of the server

@@ -132,7 +132,10 @@ void readText(const std::string& text, const Cursor& cursor, Checkpoint& checkpo
         } else if (kind == "layer" && rest.size() > 2) {
             checkpoint.film.layers.push_back({rest.substr(0, rest.size() - 2), rest.ends_with(" 1")});
         } else if (kind == "set" && equals != std::string::npos) {
-            checkpoint.identity.settings.emplace_back(rest.substr(0, equals), rest.substr(equals + 1));
+            const std::string name = rest.substr(0, equals);
+            // As files name it that were written before all names came from the table of settings
+            checkpoint.identity.settings.emplace_back(name == "integrator" ? "render.integrator" : name,
+                                                      rest.substr(equals + 1));
         } else if (kind == "count" && equals != std::string::npos) {
             readCount(rest.substr(0, equals), rest.substr(equals + 1), cursor, checkpoint.counts);
         } else {

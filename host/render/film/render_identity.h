@@ -1,8 +1,6 @@
 // What the passes of a render depend on besides their number. Passes of equal identities add up to one picture.
 #pragma once
 
-#include "scene/model/scene.h"
-
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,8 +16,5 @@ struct RenderIdentity {
 
 // The first setting in which the two differ, e.g. "render.seed is 1 there and 2 here"; empty where they are equal.
 [[nodiscard]] std::string difference(const RenderIdentity& there, const RenderIdentity& here);
-
-// As on the command line.
-[[nodiscard]] std::string nameOf(RandomNumbers sampler);
 
 } // namespace hyalite::render

@@ -2,7 +2,7 @@
 
 #include "base/fnv.h"
 #include "gpu/shader_compiler.h"
-#include "scene/model/render_seed.h"
+#include "scene/yaml/settings_table.h"
 
 #include <array>
 #include <charconv>
@@ -15,14 +15,6 @@ namespace {
 template <class T>
 std::uint64_t fnvOf(const gpu::Array<T>& array, std::uint64_t state) {
     return fnv(std::as_bytes(array.host()), state);
-}
-
-// The shortest text that reads back as the same number.
-template <class Number>
-std::string text(Number value) {
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    return {digits.data(), end};
 }
 
 std::string hexadecimal(std::uint64_t value) {
@@ -54,48 +46,43 @@ std::uint64_t hashOf(const DeviceScene& deviceScene) {
 }
 
 RenderIdentity identify(const Scene& scene, const DeviceScene& deviceScene, const gpu::ShaderCompiler& compiler) {
-    const RenderSettings& render = scene.render;
-    const PhotonMapSettings& maps = render.photonMap;
-    const glm::uvec2 resolution = scene.camera.resolution;
+    const Settings settings{scene.camera, scene.render};
     RenderIdentity identity;
     identity.scene = std::filesystem::path(scene.file).filename().string();
-    identity.settings = {
-        {"integrator", render.integrator},
-        {"camera.resolution", text(resolution.x) + 'x' + text(resolution.y)},
-        {"render.seed", text(render.seed)},
-        {"render.sampler", nameOf(render.sampler)},
-        {"render.max_depth", text(render.maxDepth)},
-        {"render.photons", text(render.photons)},
-        {"render.radius", text(render.radius)},
-        {"render.alpha", text(render.alpha)},
-        {"render.min_weight", text(render.minWeight)},
-        {"render.caustic_photons", text(maps.causticPhotons)},
-        {"render.projection_map", text(maps.projectionMap ? 1 : 0)},
-        {"render.photon_structure", text(static_cast<int>(maps.structure))},
-        {"render.nearest", text(maps.nearest)},
-        {"render.caustic_nearest", text(maps.causticNearest)},
-        {"render.caustic_radius", text(maps.causticRadius)},
-        {"render.filter", text(static_cast<int>(maps.filter))},
-        {"render.caustic_filter", text(static_cast<int>(maps.causticFilter))},
-        {"render.cone_constant", text(maps.coneConstant)},
-        {"render.differential_checking", text(maps.differentialChecking ? 1 : 0)},
-        {"render.gather_rays", text(maps.gatherRays)},
-        {"render.precomputed_irradiance", text(maps.precomputedIrradiance ? 1 : 0)},
-        {"render.shadow_photons", text(maps.shadowPhotons)},
-        {"render.view", text(static_cast<int>(maps.view))},
-        {"the scene's hash", hexadecimal(fnv(std::as_bytes(std::span(&deviceScene.camera, 1)), hashOf(deviceScene)))},
-        {"the shaders' hash", hexadecimal(compiler.hashOfSources())},
-    };
+    for (const Setting& setting : settingsTable()) {
+        if (setting.affectsPicture) {
+            identity.settings.emplace_back(dottedName(setting), setting.text(settings));
+        }
+    }
+    const std::uint64_t hash = fnv(std::as_bytes(std::span(&deviceScene.camera, 1)), hashOf(deviceScene));
+    identity.settings.emplace_back("the scene's hash", hexadecimal(hash));
+    identity.settings.emplace_back("the shaders' hash", hexadecimal(compiler.hashOfSources()));
     return identity;
 }
 
-std::uint64_t photonFingerprint(const Scene& scene, const DeviceScene& deviceScene) {
-    const RenderSettings& render = scene.render;
-    const PhotonMapSettings& maps = render.photonMap;
-    const std::array<std::uint32_t, 6> settings{render.photons,     renderSeed(render).sequence,
-                                                render.maxDepth,    maps.causticPhotons,
-                                                maps.projectionMap, maps.shadowPhotons > 0 ? 1U : 0U};
-    return fnv(std::as_bytes(std::span(settings)), hashOf(deviceScene));
+std::span<const std::string_view> kernelsOfPhotons() {
+    static constexpr std::array<std::string_view, 9> kKernels{
+        "emit_photons", "emit_caustic_photons", "trace_closest", "scatter_photon",      "cast_shadow_photons",
+        "scan_group",   "sum_chunks",           "scan_chunks",   "compact_photon_paths"};
+    return kKernels;
+}
+
+RenderIdentity identifyPhotons(const Scene& scene, const DeviceScene& deviceScene,
+                               const gpu::ShaderCompiler& compiler) {
+    const Settings settings{scene.camera, scene.render};
+    RenderIdentity identity;
+    identity.scene = std::filesystem::path(scene.file).filename().string();
+    for (const Setting& setting : settingsTable()) {
+        if (setting.photons == PhotonsDepend::OnValue) {
+            identity.settings.emplace_back(dottedName(setting), setting.text(settings));
+        } else if (setting.photons == PhotonsDepend::OnWhetherZero) {
+            identity.settings.emplace_back(dottedName(setting), setting.text(settings) == "0" ? "0" : "not 0");
+        }
+    }
+    identity.settings.emplace_back("the scene's hash", hexadecimal(hashOf(deviceScene)));
+    identity.settings.emplace_back("the hash of the GLSL that traces photons",
+                                   hexadecimal(compiler.hashOfSources(kernelsOfPhotons())));
+    return identity;
 }
 
 } // namespace hyalite::render

@@ -1,5 +1,7 @@
-// Photon maps in a file, with a fingerprint of what they were traced for (see scene_identity.h).
+// Photon maps in a file, with the identity of the render that they were traced for.
 #pragma once
+
+#include "render/film/render_identity.h"
 
 #include "shaders/shared/path_records.h"
 
@@ -18,14 +20,14 @@ struct PhotonLists {
     std::vector<shared::Photon> shadow;
 };
 
-// Throws Error(OutputNotWritten).
-void writePhotons(const std::filesystem::path& path, const PhotonLists& lists, std::uint64_t fingerprint);
+// `identity`: what the photons depend on (see identifyPhotons). Throws Error(OutputNotWritten).
+void writePhotons(const std::filesystem::path& path, const PhotonLists& lists, const RenderIdentity& identity);
 
-// Throws Error(BadInput) for what is no photon file, is damaged, or has another fingerprint.
-[[nodiscard]] PhotonLists readPhotons(const std::filesystem::path& path, std::uint64_t fingerprint);
+// Throws Error(BadInput) for what is no photon file, is damaged, or has another identity; then it names the difference.
+[[nodiscard]] PhotonLists readPhotons(const std::filesystem::path& path, const RenderIdentity& identity);
 
 // The same of a file's content; `path` is for messages.
 [[nodiscard]] PhotonLists parsePhotons(std::span<const std::byte> file, const std::filesystem::path& path,
-                                       std::uint64_t fingerprint);
+                                       const RenderIdentity& identity);
 
 } // namespace hyalite::render

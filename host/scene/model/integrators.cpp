@@ -18,6 +18,16 @@ const IntegratorRow& integratorNamed(std::string_view name) {
     return *found;
 }
 
+std::vector<std::string> readersOf(std::string_view setting) {
+    std::vector<std::string> readers;
+    for (const IntegratorRow& row : kIntegrators) {
+        if (row.reads(setting)) {
+            readers.emplace_back(row.name);
+        }
+    }
+    return readers;
+}
+
 const IntegratorRow* soleReader(std::string_view setting) {
     const IntegratorRow* reader = nullptr;
     for (const IntegratorRow& row : kIntegrators) {

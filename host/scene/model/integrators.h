@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace hyalite {
 
@@ -55,6 +57,9 @@ inline constexpr auto kIntegratorNames = [] {
 
 // The row of that name. Throws Error(WrongUsage) where there is none.
 [[nodiscard]] const IntegratorRow& integratorNamed(std::string_view name);
+
+// Names of the integrators that read that key of `render`; empty: all of them do.
+[[nodiscard]] std::vector<std::string> readersOf(std::string_view setting);
 
 // The row whose integrator alone reads that key of `render`; nullptr: none, or several.
 [[nodiscard]] const IntegratorRow* soleReader(std::string_view setting);

@@ -5,6 +5,7 @@
 #include "scene/yaml/reader.h"
 
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace hyalite {
@@ -28,7 +29,7 @@ struct KeyDoc {
     Range range = {};                  // of numbers; its unit is the key's; {0, 0}: any finite number
     std::string_view defaultText = {}; // as the file would have it, or in words; empty: none
     bool required = false;
-    std::string_view text = {}; // what it means: one line, no full stop
+    std::string_view text = {}; // what it means: one line of Markdown, no full stop
     std::span<const std::string_view> words = {};
     std::string_view schema = {}; // KeyType::Other: a JSON schema
     // What the tables of the documentation say where the members above do not say it well
@@ -44,5 +45,9 @@ struct MapDoc {
     std::span<const KeyDoc> keys = {}; // without `type`
     std::string_view rules = {};       // what relates keys: a JSON object merged into the schema of the map
 };
+
+// Without the marks of code and links: [their density](progressive.md) is "their density". A list in brackets, which is
+// no link, stays as it is.
+[[nodiscard]] std::string plainText(std::string_view markdown);
 
 } // namespace hyalite

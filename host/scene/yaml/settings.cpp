@@ -4,118 +4,79 @@
 #include "base/spelling.h"
 #include "scene/model/integrators.h"
 #include "scene/model/scene_limits.h"
-#include "scene/yaml/photon_map_settings.h"
-#include "shaders/shared/limits.h"
+#include "scene/yaml/settings_table.h"
 
-#include <algorithm>
-#include <array>
-#include <limits>
+#include <functional>
+#include <vector>
 
 namespace hyalite {
 namespace {
 
-constexpr Range kCoordinate{-kLargestLength, kLargestLength, true, true, "m"};
-constexpr Range kDirection{-kLargestLength, kLargestLength};
-constexpr Range kFov{0, 180, false, false, "degrees"};
-constexpr Range kAperture{0, kLargestLength, true, true, "m"};
-constexpr Range kFocus{kSmallestLength, kLargestLength, true, true, "m"};
-constexpr Range kSide{1, kLargestSide, true, true, "pixels"};
-constexpr Range kCount{1, std::numeric_limits<std::uint32_t>::max()};
-constexpr Range kTargetError{0, 1e9};
-constexpr Range kPhotons{1, kMostPhotons};
-constexpr Range kSeed{0, std::numeric_limits<std::uint32_t>::max()};
-constexpr Range kSearchRadius{0, kLargestLength, true, true, "m"};
-constexpr Range kAlpha{0, 1, false, false};
-constexpr Range kShare{0, 1};
-// A ray after n reflections or refractions is the path's segment n + 1; segments are counted in 8 bits.
-constexpr Range kBounces{0, shared::kMaxDepth - 1};
-constexpr Range kSegments{1, shared::kMaxDepth};
+// Where a key of the section was given; where it was not, the place that answers for the section.
+using PlaceOf = std::function<SourceLocation(std::string_view key)>;
 
-constexpr std::array<Choice<RandomNumbers>, 2> kSamplers{{
-    {"sobol", RandomNumbers::Sobol},
-    {"independent", RandomNumbers::Independent},
-}};
-
-std::string readIntegrator(const Value& name) {
-    const std::string word = name.text();
-    if (std::ranges::find(kIntegratorNames, word) == kIntegratorNames.end()) {
-        failUnknownWord(name, "integrator", std::vector<std::string>(kIntegratorNames.begin(), kIntegratorNames.end()));
-    }
-    return word;
+[[noreturn]] void fail(const SourceLocation& where, const std::string& what, const std::string& hint = {}) {
+    throw Error(ExitCode::BadInput, where, what, hint);
 }
 
-// The place of a key, or of the map around it when the key is not written there.
-Value placeOf(Reader& reader, std::string_view key) {
-    const auto value = reader.find(key);
-    return value ? *value : reader.map();
-}
-
-} // namespace
-
-void readCamera(const Value& value, Camera& camera) {
-    Reader reader(value);
-    reader.optional("position", camera.position, kCoordinate);
-    reader.optional("look_at", camera.lookAt, kCoordinate);
-    reader.optional("up", camera.up, kDirection);
-    reader.optional("fov", camera.fov, kFov);
-    reader.optional("aperture", camera.aperture, kAperture);
-    reader.optional("focus_distance", camera.focusDistance, kFocus);
-    reader.optional("resolution", camera.resolution, kSide);
-    reader.finish();
-
+void checkCamera(const Camera& camera, const PlaceOf& placeOf) {
     if (std::uint64_t{camera.resolution.x} * camera.resolution.y > kMostPixels) {
-        placeOf(reader, "resolution").fail("more than " + std::to_string(kMostPixels) + " pixels");
+        fail(placeOf("resolution"), "more than " + std::to_string(kMostPixels) + " pixels");
     }
     const glm::dvec3 view = camera.lookAt - camera.position;
     if (glm::length(view) < kSmallestLength) {
-        placeOf(reader, "look_at").fail("'look_at' and 'position' of the camera are the same point");
+        fail(placeOf("look_at"), "'look_at' and 'position' of the camera are the same point");
     }
     if (glm::length(camera.up) == 0) {
-        placeOf(reader, "up").fail("'up' is zero");
+        fail(placeOf("up"), "'up' is zero");
     }
     const glm::dvec3 sine = glm::cross(glm::normalize(view), glm::normalize(camera.up));
     if (!(glm::length(sine) >= kSmallestAngle)) {
-        placeOf(reader, "up")
-            .fail("'up' is parallel to the camera's view from 'position' to 'look_at'",
-                  "set camera.up to another direction");
+        fail(placeOf("up"), "'up' is parallel to the camera's view from 'position' to 'look_at'",
+             "set camera.up to another direction");
     }
 }
 
-void readRenderSettings(const Value& value, RenderSettings& render) {
-    Reader reader(value);
-    if (const auto name = reader.find("integrator")) {
-        render.integrator = readIntegrator(*name);
-    }
-    reader.optional("passes", render.passes, kCount);
-    reader.optional("target_error", render.targetError, kTargetError);
-    reader.optional("photons", render.photons, kPhotons);
-    reader.optional("seed", render.seed, kSeed);
-    if (const auto name = reader.find("sampler")) {
-        render.sampler = choose<RandomNumbers>(*name, "sampler", kSamplers);
-    }
-    reader.optional("radius", render.radius, kSearchRadius);
-    reader.optional("alpha", render.alpha, kAlpha);
-    reader.optional("min_weight", render.minWeight, kShare);
-    readPhotonMapSettings(reader, render.photonMap);
-
-    // Checked even when the key is absent: the integrator may be what changed.
-    const Range& depth = integratorNamed(render.integrator).cameraPaths.followsAllWays ? kBounces : kSegments;
-    reader.optional("max_depth", render.maxDepth, depth);
-    reader.finish();
+void checkRenderSettings(const RenderSettings& render, const PlaceOf& placeOf) {
+    const Range& depth = depthRange(integratorNamed(render.integrator));
     if (!depth.contains(render.maxDepth)) {
-        placeOf(reader, "integrator")
-            .fail("with this integrator 'max_depth' must be " + depth.text() + ", it is " +
-                      std::to_string(render.maxDepth),
-                  "set render.max_depth too");
+        fail(placeOf("max_depth"),
+             "with integrator " + render.integrator + " 'max_depth' must be " + depth.text() + ", it is " +
+                 std::to_string(render.maxDepth),
+             "change render.max_depth or render.integrator");
     }
-    if (render.radius != 0 && render.radius < kSmallestLength) {
-        placeOf(reader, "radius")
-            .fail("'radius' must be 0 or at least " + numberText(kSmallestLength) + " m",
-                  "0: 1/100 of the radius of the scene's bounding sphere");
+    const PhotonMapSettings& maps = render.photonMap;
+    const bool isCustom = maps.filter == PhotonFilter::Custom || maps.causticFilter == PhotonFilter::Custom;
+    if (isCustom && maps.customFilter == nullptr) {
+        fail(placeOf("filter_file"), "a custom filter needs its code", "name it: filter_file: falloff.glsl");
     }
 }
 
-namespace {
+void check(Section section, const Settings& settings, const PlaceOf& placeOf) {
+    if (section == Section::Camera) {
+        checkCamera(settings.camera, placeOf);
+    } else {
+        checkRenderSettings(settings.render, placeOf);
+    }
+}
+
+// The keys of a section that a scene file gives.
+void readSection(const Value& map, Section section, Settings& settings) {
+    Reader reader(map);
+    for (const Setting& setting : settingsTable()) {
+        if (setting.section != section) {
+            continue;
+        }
+        if (const auto value = reader.find(setting.doc.name)) {
+            setting.read(*value, setting.doc, settings);
+        }
+    }
+    reader.finish();
+    check(section, settings, [&](std::string_view key) {
+        const auto value = reader.find(key);
+        return value ? value->where() : reader.where();
+    });
+}
 
 // "640x480" as YAML; anything else as it is, for the reader to judge.
 std::string resolutionAsYaml(const std::string& value) {
@@ -126,41 +87,90 @@ std::string resolutionAsYaml(const std::string& value) {
     return '[' + value.substr(0, x) + ", " + value.substr(x + 1) + ']';
 }
 
-} // namespace
-
-void applySetting(Scene& scene, const std::string& key, const std::string& value, const std::string& option) {
-    const auto fail = [&](const std::string& what, const std::string& hint) {
-        throw Error(ExitCode::WrongUsage, SourceLocation{option, 0, 0}, what, hint);
-    };
+// The row that a dotted key names.
+const Setting& settingNamed(const std::string& key, const SourceLocation& where) {
     const auto dot = key.find('.');
     const std::string section = key.substr(0, dot);
-    if (section != "camera" && section != "render") {
-        const std::array<std::string, 2> known{"camera", "render"};
-        fail("unknown setting " + inQuotes(key), spellingHint(section, known));
+    const std::string name = dot == std::string::npos ? std::string() : key.substr(dot + 1);
+    std::vector<std::string> names;
+    for (const Setting& setting : settingsTable()) {
+        if (nameOf(setting.section) != section) {
+            continue;
+        }
+        if (setting.doc.name == name) {
+            return setting;
+        }
+        names.emplace_back(setting.doc.name);
+    }
+    if (names.empty()) {
+        const std::vector<std::string> sections{"camera", "render"};
+        fail(where, "unknown setting " + inQuotes(key), spellingHint(section, sections));
     }
     if (dot == std::string::npos) {
-        fail(inQuotes(key) + " is a group of settings", "name one, as in render.photons");
+        fail(where, inQuotes(key) + " is a group of settings", "name one, as in render.photons");
     }
+    fail(where, "unknown key " + inQuotes(name) + " in " + inQuotes(section), spellingHint(name, names));
+}
 
-    // A map of the one key, as the scene file would hold it, read over the present settings.
-    YamlNode map;
-    map.kind = YamlNode::Kind::Map;
-    const std::string text = key == "camera.resolution" ? resolutionAsYaml(value) : value;
-    Camera camera = scene.camera;
-    RenderSettings render = scene.render;
-    try {
-        map.entries.push_back({key.substr(dot + 1), 0, 0, parseYaml(text, option, false)});
-        const Value group(map, option, section);
-        if (section == "camera") {
-            readCamera(group, camera);
-        } else {
-            readRenderSettings(group, render);
+void assign(const SettingAssignment& assignment, Settings& settings) {
+    const Setting& setting = settingNamed(assignment.key, {assignment.option});
+    const bool isPair = setting.doc.type == KeyType::WholePair;
+    const YamlPointer tree =
+        parseYaml(isPair ? resolutionAsYaml(assignment.value) : assignment.value, assignment.option, false);
+    setting.read(Value(*tree, assignment.option, std::string(setting.doc.name)), setting.doc, settings);
+}
+
+// What relates the settings that were assigned, and those they meet.
+void checkAssigned(const Settings& settings, std::span<const SettingAssignment> assignments) {
+    for (const Section section : {Section::Camera, Section::Render}) {
+        const std::string prefix = std::string(nameOf(section)) + '.';
+        const auto placeOf = [&](std::string_view key) {
+            const SettingAssignment* nearest = nullptr;
+            for (const SettingAssignment& assignment : assignments) {
+                const bool isThis = assignment.key == prefix + std::string(key);
+                if (isThis || (nearest == nullptr && assignment.key.starts_with(prefix))) {
+                    nearest = &assignment;
+                }
+            }
+            return SourceLocation{nearest == nullptr ? std::string() : nearest->option};
+        };
+        if (!placeOf({}).file.empty()) {
+            check(section, settings, placeOf);
         }
+    }
+}
+
+} // namespace
+
+void readCamera(const Value& value, Camera& camera) {
+    Settings settings{.camera = camera, .render = {}};
+    readSection(value, Section::Camera, settings);
+    camera = settings.camera;
+}
+
+void readRenderSettings(const Value& value, RenderSettings& render) {
+    Settings settings{.camera = {}, .render = render};
+    readSection(value, Section::Render, settings);
+    render = settings.render;
+}
+
+void applySettings(Scene& scene, std::span<const SettingAssignment> assignments) {
+    Settings settings{scene.camera, scene.render};
+    try {
+        for (const SettingAssignment& assignment : assignments) {
+            assign(assignment, settings);
+        }
+        checkAssigned(settings, assignments);
     } catch (const Error& error) { // a mistake on the command line, not in a file
         throw Error(ExitCode::WrongUsage, error.where(), error.message(), error.hint());
     }
-    scene.camera = camera;
-    scene.render = render;
+    scene.camera = settings.camera;
+    scene.render = settings.render;
+}
+
+void applySetting(Scene& scene, const std::string& key, const std::string& value, const std::string& option) {
+    const SettingAssignment assignment{key, value, option};
+    applySettings(scene, {&assignment, 1});
 }
 
 } // namespace hyalite

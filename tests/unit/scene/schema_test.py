@@ -25,7 +25,9 @@ GOOD = {
     "textures": {"c": {"type": "checker", "colors": [0, [1, 1, 1]], "size": 2, "space": "uv"},
                  "i": {"type": "image", "file": "i.png", "encoding": "linear"},
                  "g": {"type": "custom", "file": "g.glsl", "parameters": [1, 2]}},
-    "render": {"integrator": "whitted", "max_depth": 0, "radius": 0},
+    "render": {"integrator": "whitted", "max_depth": 0, "radius": 0, "caustic_radius": 1e-9, "sampler": "independent",
+               "structure": "grid", "filter": "custom", "filter_file": "f.glsl", "caustic_photons": 0,
+               "projection_map": False, "view": "radius", "shadow_photons": 64, "target_error": 0.5},
     "materials": {
         "m": {"type": "diffuse", "albedo": 0.5},
         "t": {"type": "mirror", "reflectance": {"texture": "c"}},
@@ -74,6 +76,12 @@ MISTAKES = [
     (["render", "integrator"], "pmm"), (["render", "max_depth"], 255), (["render", "passes"], 0),
     (["render", "photons"], 16777217), (["render", "radius"], -1), (["render", "alpha"], 1),
     (["render", "integrator"], "ppm"),  # with max_depth 0
+    (["render", "integrator"], None),  # and so without, as ppm is the default
+    (["render", "radius"], 1e-30), (["render", "caustic_radius"], -1), (["render", "sampler"], "random"),
+    (["render", "structure"], "tree"), (["render", "filter"], "box"), (["render", "filter_file"], ["f.glsl"]),
+    (["render", "projection_map"], 0), (["render", "view"], "all"), (["render", "shadow_photons"], 65),
+    (["render", "caustic_photons"], 0.5), (["render", "target_error"], -1), (["render", "gather"], 1),
+    (["camera", "up"], [0, 1, "up"]), (["camera", "resolution"], "640x480"),
     (["materials", "m", "albedo"], 1.1), (["materials", "m", "type"], "velvet"), (["materials", "m", "ior"], 1.5),
     (["materials", "gold", "eta"], 1), (["materials", "gold", "metal"], "tin"), (["materials", "gold", "metal"], None),
     (["materials", "gold", "roughness"], 1.5), (["materials", "tin", "k"], None), (["materials", "tin", "eta"], 0),

@@ -3,8 +3,11 @@
 #include "unit/scene/scene_test_support.h"
 
 #include "scene/yaml/settings.h"
+#include "scene/yaml/settings_table.h"
 
+#include <algorithm>
 #include <catch2/matchers/catch_matchers_string.hpp>
+#include <set>
 
 using Catch::Matchers::ContainsSubstring;
 using namespace hyalite;
@@ -83,7 +86,10 @@ TEST_CASE("a wrong setting names the option and leaves the scene as it was") {
         {"render.sampler", "random", "--set: unknown sampler 'random'"},
         {"render.target_error", "-0.1", "--set: 'target_error' must be in [0, 1e+09]"},
         {"render.target_error", "small", "--set: 'target_error' must be a number"},
-        {"render.max_depth", "0", "--set: 'max_depth' must be in [1, 255], found 0"},
+        {"render.max_depth", "256", "--set: 'max_depth' must be in [0, 255], found 256"},
+        {"render.max_depth", "0", "--set: with integrator ppm 'max_depth' must be in [1, 255], it is 0"},
+        {"render.radius", "1e-30", "--set: 'radius' must be 0 or in [1e-09, 1e+09] m, found 1e-30"},
+        {"render.filter", "custom", "--set: a custom filter needs its code"},
     };
     for (const Case& bad : cases) {
         INFO(bad.key << '=' << bad.value);
@@ -107,6 +113,93 @@ TEST_CASE("an integrator that the present depth does not suit is refused") {
     applySetting(scene, "render.max_depth", "255");
     const auto error = errorOf([&] { applySetting(scene, "render.integrator", "whitted", "--integrator"); });
     REQUIRE(error.has_value());
-    CHECK(std::string(error->what()) == "--integrator: with this integrator 'max_depth' must be in [0, 254], it is "
-                                        "255 (set render.max_depth too)");
+    CHECK(std::string(error->what()) == "--integrator: with integrator whitted 'max_depth' must be in [0, 254], it is "
+                                        "255 (change render.max_depth or render.integrator)");
+}
+
+TEST_CASE("settings that need one another are assigned in any order") {
+    const SettingAssignment whitted{"render.integrator", "whitted"};
+    const SettingAssignment depth{"render.max_depth", "0"};
+    const SettingAssignment up{"camera.up", "[0, 0, 1]"}; // parallel to the default view
+    const SettingAssignment position{"camera.position", "[5, 0, 0]"};
+    const std::vector<std::vector<SettingAssignment>> orders{
+        {whitted, depth, up, position}, {depth, whitted, position, up}, {up, depth, position, whitted}};
+    for (const auto& order : orders) {
+        Scene scene;
+        applySettings(scene, order);
+        CHECK(scene.render.integrator == Integrator::Whitted);
+        CHECK(scene.render.maxDepth == 0);
+        CHECK(scene.camera.up == glm::dvec3(0, 0, 1));
+    }
+}
+
+TEST_CASE("of several assignments to one setting the last counts") {
+    Scene scene;
+    const std::vector<SettingAssignment> twice{{"render.photons", "5", "--photons"}, {"render.photons", "7"}};
+    applySettings(scene, twice);
+    CHECK(scene.render.photons == 7);
+}
+
+TEST_CASE("a mistake between settings names the option that gave the one at fault") {
+    Scene scene;
+    const std::vector<SettingAssignment> bad{{"render.integrator", "whitted", "--integrator"},
+                                             {"render.seed", "3", "--seed"},
+                                             {"render.max_depth", "255", "--max-depth"}};
+    const auto error = errorOf([&] { applySettings(scene, bad); });
+    REQUIRE(error.has_value());
+    CHECK(error->where().file == "--max-depth");
+    CHECK(scene.render.seed == 1); // nothing is assigned
+}
+
+TEST_CASE("every setting reads back the text that it writes") {
+    const Settings defaults;
+    for (const Setting& setting : settingsTable()) {
+        const std::string text = setting.text(defaults);
+        INFO(dottedName(setting) << ": " << text);
+        // No file by default; and 0 stands for the distance of look_at, but is no distance that a scene may give
+        if (setting.doc.name == "filter_file" || setting.doc.name == "focus_distance") {
+            continue;
+        }
+        Scene scene;
+        applySetting(scene, dottedName(setting), text);
+        CHECK(setting.text({scene.camera, scene.render}) == text);
+    }
+}
+
+TEST_CASE("no two settings have the same name, option or label") {
+    std::set<std::string> seen;
+    for (const Setting& setting : settingsTable()) {
+        INFO(dottedName(setting));
+        CHECK(seen.insert(dottedName(setting)).second);
+        CHECK((setting.option.empty() || seen.insert(std::string(setting.option)).second));
+        CHECK((setting.label.empty() || seen.insert(std::string(setting.label)).second));
+        CHECK(!setting.doc.text.empty());
+    }
+}
+
+TEST_CASE("the depths of each integrator are within the range of the key") {
+    const auto table = settingsTable();
+    const auto row = std::ranges::find(table, std::string("render.max_depth"), dottedName);
+    REQUIRE(row != table.end());
+    for (const Integrator integrator :
+         {Integrator::Whitted, Integrator::Ppm, Integrator::PhotonMap, Integrator::Path}) {
+        CHECK(row->doc.range.contains(depthRange(integrator).low));
+        CHECK(row->doc.range.contains(depthRange(integrator).high));
+    }
+}
+
+TEST_CASE("only what leaves every pass as it is may differ between checkpoints") {
+    std::set<std::string> free;
+    for (const Setting& setting : settingsTable()) {
+        if (!setting.affectsPicture) {
+            free.insert(dottedName(setting));
+        }
+    }
+    // How many passes there are, and when to stop; the content of the filter's file is part of the shaders' hash
+    CHECK(free == std::set<std::string>{"render.passes", "render.target_error", "render.filter_file"});
+}
+
+TEST_CASE("text of the documentation is plain where no Markdown is shown") {
+    CHECK(plainText("stop at `passes`, see [the error](metrics.md#error); [1, 2]") ==
+          "stop at passes, see the error; [1, 2]");
 }

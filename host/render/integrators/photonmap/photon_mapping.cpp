@@ -49,8 +49,8 @@ PhotonMapping::PhotonMapping(const IntegratorInput& input)
     : device_(input.device), scene_(input.scene), deviceScene_(input.deviceScene), film_(input.film),
       files_(input.photonFiles), cameraPaths_(device_, scene_, deviceScene_, film_.pixelCount()),
       lightSampler_(device_, deviceScene_, film_.pixelCount()), maps_(device_, scene_, deviceScene_),
-      startGatherRays_(device_.kernel("start_gather_rays", deviceScene_.specialization)), skipShadowRays_(device_.kernel("skip_shadow_rays")),
-      addGatheredLight_(device_.kernel("add_gathered_light")),
+      startGatherRays_(device_.kernel("start_gather_rays", deviceScene_.specialization)),
+      skipShadowRays_(device_.kernel("skip_shadow_rays")), addGatheredLight_(device_.kernel("add_gathered_light")),
       visiblePoints_(device_.context, film_.pixelCount(), "visible points"),
       gatherPoints_(device_.context, film_.pixelCount(), "ends of gathering rays"),
       emitted_(device_.context, film_.pixelCount(), "emitted light"),
@@ -106,10 +106,10 @@ void PhotonMapping::begin() {
     if (files_.load.empty()) {
         maps_.trace();
     } else {
-        maps_.load(readPhotons(files_.load, photonFingerprint(scene_, deviceScene_)));
+        maps_.load(readPhotons(files_.load, identifyPhotons(scene_, deviceScene_, device_.compiler)));
     }
     if (!files_.save.empty()) {
-        writePhotons(files_.save, maps_.lists(), photonFingerprint(scene_, deviceScene_));
+        writePhotons(files_.save, maps_.lists(), identifyPhotons(scene_, deviceScene_, device_.compiler));
     }
     maps_.build();
     if (scene_.render.photonMap.view == PhotonView::Photons) {
