@@ -3,9 +3,12 @@
 
 #include "gpu/spirv.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hyalite::gpu {
@@ -26,6 +29,9 @@ public:
 
     // The files that the kernel is made of, relative to shaders(), in the order in which checked builds number them.
     [[nodiscard]] virtual std::vector<std::string> sourceFiles(const std::string& kernel) const = 0;
+
+    // A number that changes with any source that these kernels reach. Throws Error(BadInput) where one is not there.
+    [[nodiscard]] virtual std::uint64_t hashOfSources(std::span<const std::string_view> kernels) const = 0;
 
     [[nodiscard]] virtual const std::filesystem::path& shaders() const = 0;
 

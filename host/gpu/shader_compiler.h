@@ -39,8 +39,7 @@ public:
 
     // A number that changes with any source below the shaders folder.
     [[nodiscard]] std::uint64_t hashOfSources() const;
-    // A number that changes with any source that these kernels reach. Throws Error(BadInput) where one is not there.
-    [[nodiscard]] std::uint64_t hashOfSources(std::span<const std::string_view> kernels) const;
+    [[nodiscard]] std::uint64_t hashOfSources(std::span<const std::string_view> kernels) const override;
 
     [[nodiscard]] const std::filesystem::path& shaders() const override { return shaders_; }
 

@@ -37,6 +37,9 @@ public:
     [[nodiscard]] std::vector<std::string> sourceFiles(const std::string& kernel) const override {
         return compiler_.sourceFiles(kernel);
     }
+    [[nodiscard]] std::uint64_t hashOfSources(std::span<const std::string_view> kernels) const override {
+        return compiler_.hashOfSources(kernels);
+    }
     [[nodiscard]] const std::filesystem::path& shaders() const override { return compiler_.shaders(); }
 
     // Kernels compiled before whose sources are others now; and forgets their errors.

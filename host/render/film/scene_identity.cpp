@@ -68,7 +68,7 @@ std::span<const std::string_view> kernelsOfPhotons() {
 }
 
 RenderIdentity identifyPhotons(const Scene& scene, const DeviceScene& deviceScene,
-                               const gpu::ShaderCompiler& compiler) {
+                               const gpu::KernelCompiler& compiler) {
     const Settings settings{scene.camera, scene.render};
     RenderIdentity identity;
     identity.scene = std::filesystem::path(scene.file).filename().string();

@@ -24,7 +24,7 @@ namespace hyalite::render {
 // GLSL of the kernels that trace them, the scene's own code included. Throws Error(BadInput) where a kernel is not
 // there.
 [[nodiscard]] RenderIdentity identifyPhotons(const Scene& scene, const DeviceScene& deviceScene,
-                                             const gpu::ShaderCompiler& compiler);
+                                             const gpu::KernelCompiler& compiler);
 
 // The kernels that trace photons and put the photon paths that go on side by side.
 [[nodiscard]] std::span<const std::string_view> kernelsOfPhotons();
