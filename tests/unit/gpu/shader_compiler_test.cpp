@@ -1,6 +1,7 @@
 // GLSL to SPIR-V: where errors are reported, what may be included, and when the cache is believed.
 #include "base/error.h"
 #include "gpu/kernel.h"
+#include "gpu/shader_compiler.h"
 #include "unit/gpu/temporary_shaders.h"
 
 #include <catch2/catch_test_macros.hpp>
