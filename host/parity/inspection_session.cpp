@@ -85,8 +85,7 @@ PathRecorder InspectionSession::record(bool isPhoton, std::uint32_t number, std:
     PathRecorder recorder(sides_, number);
     PathObserver observer(device_, recorder, isPhoton);
     render::Film film(device_, scene.camera.resolution, kind.layers(scene.render));
-    const auto integrator =
-        kind.make({.device = device_, .scene = scene, .deviceScene = deviceScene_, .film = film});
+    const auto integrator = kind.make({.device = device_, .scene = scene, .deviceScene = deviceScene_, .film = film});
     const FinishedAtEnd finished{device_.commands};
     const gpu::Observation observation = device_.commands.observe(observer);
     try {

@@ -14,7 +14,8 @@ IntegratorKind PathTracing::kind() {
 PathTracing::PathTracing(const IntegratorInput& input)
     : device_(input.device), scene_(input.scene), deviceScene_(input.deviceScene), film_(input.film),
       cameraPaths_(device_, scene_, input.deviceScene, film_.pixelCount(), AtDiffuse::Bounces),
-      lightSampler_(device_, input.deviceScene, film_.pixelCount()), bouncePaths_(device_.kernel("bounce_paths", deviceScene_.specialization)),
+      lightSampler_(device_, input.deviceScene, film_.pixelCount()),
+      bouncePaths_(device_.kernel("bounce_paths", deviceScene_.specialization)),
       visiblePoints_(device_.context, film_.pixelCount(), "visible points"),
       met_(device_.context, film_.pixelCount(), "light met"),
       sampled_(device_.context, film_.pixelCount(), "light sampled") {}
