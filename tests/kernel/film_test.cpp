@@ -239,7 +239,9 @@ TEST_CASE("a checkpoint keeps every counter, and parts that are put together add
     std::vector<render::Checkpoint> parts;
     for (std::uint32_t pass = 0; pass < 2; ++pass) {
         render::Checkpoint part;
-        part.film = {.resolution = {1, 1}, .layers = {{"light"}}, .passes = render::PassSet({{pass, pass + 1}})};
+        part.film.resolution = {1, 1};
+        part.film.layers = {{"light"}};
+        part.film.passes.add({pass, pass + 1});
         part.film.faults.resize(shared::kFilmFaults);
         part.film.sums.fill(std::vector<shared::FilmColor>(1));
         for (const render::CounterRow& row : render::kCounters) {

@@ -50,7 +50,7 @@ TEST_CASE("an integrator runs no kernel before it is prepared") {
         scene.render.radius = 0; // ppm has to find it, and its caustic radius
         render::Device device(Gpu::shared().context(), Gpu::shared().compiler(), false);
         DispatchCounter dispatches;
-        device.commands.observe(&dispatches);
+        const gpu::Observation observation = device.commands.observe(dispatches);
         const render::DeviceScene deviceScene = render::uploadScene(device.context, device.tables, scene);
         render::Film film(device, scene.camera.resolution, kind.layers(scene.render));
         const auto integrator = kind.make({.device = device, .scene = scene, .deviceScene = deviceScene, .film = film});
@@ -63,7 +63,6 @@ TEST_CASE("an integrator runs no kernel before it is prepared") {
             CHECK(integrator->notes().causticSearchRadius > 0);
         }
         device.commands.finish();
-        device.commands.observe(nullptr);
     }
 }
 

@@ -1,9 +1,9 @@
 // What dispatches are seen to read, and single paths on both sides.
 #include "parity/inspection_session.h"
 #include "parity/observed.h"
-#include "render/film/film.h"
-#include "render/renderer.h"
+#include "render/integrators/registry.h"
 #include "scene/load/load_scene.h"
+#include "scene/model/integrators.h"
 #include "support/gpu_fixture.h"
 
 #include "shaders/shared/kernel_arguments.h"
@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace hyalite::testing {
@@ -26,23 +27,27 @@ struct Uploaded {
     render::DeviceScene deviceScene;
     parity::InspectionSession session;
 
-    explicit Uploaded(Integrator integrator)
+    explicit Uploaded(std::string_view integrator)
         : scene(small(integrator)), deviceScene(render::uploadScene(device.context, device.tables, scene)),
           session(device, scene, deviceScene) {}
 
-    [[nodiscard]] static Scene small(Integrator integrator) {
+    [[nodiscard]] static Scene small(std::string_view integrator) {
         Scene scene = loadScene(std::filesystem::path(HYALITE_SOURCE_DIR) / "scenes/cornell-caustics.yaml");
         scene.camera.resolution = {16, 16};
         scene.render.integrator = integrator;
         scene.render.photons = 512;
         scene.render.photonMap.causticPhotons = 512;
-        scene.render.radius = 0.1;
+        scene.render.radius = 0.1; // and below: so that no photons but those of the pass are traced
+        scene.render.photonMap.causticRadius = 0.1;
         return scene;
     }
 
     void renderPass(std::uint32_t pass) {
-        render::Film film(device, scene.camera.resolution, render::layersOf(scene));
-        const auto integrator = render::makeIntegrator(device, scene, deviceScene, film, {});
+        const render::IntegratorKind& kind = render::integratorKind(scene);
+        render::Film film(device, scene.camera.resolution, kind.layers(scene.render));
+        const auto integrator = kind.make({.device = device, .scene = scene, .deviceScene = deviceScene, .film = film});
+        integrator->prepare();
+        integrator->begin();
         film.beginPass(pass);
         integrator->renderPass(pass);
         device.commands.finish();
@@ -82,15 +87,14 @@ TEST_CASE("a path followed alone is that path among all of its pass") {
         CHECK(alone.differsAt == among.differsAt);
     };
     constexpr std::uint32_t kPixel = 11 * 16 + 7; // on a ball
-    for (const Integrator integrator :
-         {Integrator::Ppm, Integrator::PhotonMap, Integrator::Whitted, Integrator::Path}) {
-        INFO(static_cast<int>(integrator));
+    for (const std::string_view integrator : kIntegratorNames) {
+        INFO(integrator);
         Uploaded uploaded(integrator);
         gpu::Observation observation = uploaded.session.watch({"none of the kernels"});
         uploaded.renderPass(0);
         observation.end();
         agree(uploaded.session.followPixel(kPixel, 0), uploaded.session.path({false, 0, kPixel}));
-        if (integrator == Integrator::Ppm || integrator == Integrator::PhotonMap) {
+        if (integratorNamed(integrator).reads("photons")) {
             for (const bool isCaustic : {false, true}) {
                 const auto alone = uploaded.session.followPhoton({.number = 5, .isCaustic = isCaustic}, 0);
                 agree(alone, uploaded.session.path(alone.key));
@@ -112,7 +116,7 @@ TEST_CASE("whatever ends the recording of a path, no observer of it stays behind
         void after(const gpu::Dispatch& /*dispatch*/) override {}
         [[nodiscard]] bool readsBuffers() const override { return false; }
     };
-    Uploaded uploaded(Integrator::Ppm);
+    Uploaded uploaded("ppm");
     {
         Impatient impatient;
         const gpu::Observation observation = uploaded.device.commands.observe(impatient);
