@@ -111,17 +111,17 @@ TEST_CASE("the density of a whole BSDF integrates to the share that is not absor
         for (const double angle : {0.0, 0.7, 1.2}) {
             INFO(name << " at " << angle);
             const dvec3 wo(std::sin(angle), 0, std::cos(angle));
-            constexpr int kCells = 400;
+            constexpr int kRows = 400; // midpoints in both angles
+            constexpr int kColumns = 200;
             double integral = 0;
-            for (int i = 0; i < kCells * kCells; ++i) {
-                const int row = i / kCells;
-                const double z = 2 * (row + 0.5) / kCells - 1;
-                const double phi = 2 * pi * (i % kCells + 0.5) / kCells;
-                const double sine = std::sqrt(1 - z * z);
-                const dvec3 wi(sine * std::cos(phi), sine * std::sin(phi), z);
-                integral += evaluateBsdf(model, true, kUp, wo, wi, Transport::Radiance).pdfW;
+            for (int i = 0; i < kRows * kColumns; ++i) {
+                const int row = i / kColumns;
+                const double theta = pi * (row + 0.5) / kRows;
+                const double phi = 2 * pi * (i % kColumns + 0.5) / kColumns;
+                const dvec3 wi(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+                integral += std::sin(theta) * evaluateBsdf(model, true, kUp, wo, wi, Transport::Radiance).pdfW;
             }
-            integral *= 4 * pi / (kCells * kCells);
+            integral *= 2 * pi * pi / (kRows * kColumns);
             Random random;
             constexpr int kSide = 100;
             double kept = 0;
