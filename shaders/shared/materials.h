@@ -37,6 +37,9 @@ SHARED_CONSTANT kMaterialRough = 31u; // not a model: set for a scene with at le
     ROW(MetallicRoughness, metallicRoughness)                                                                          \
     ROW(Custom, custom)
 
+// Of the latter, those with a second lobe, a coat over the rest: their GLSL has NAMECoat and NAMEOverLobe.
+#define HYALITE_COATED_MODELS(ROW)
+
 // What a surface may do with light that arrives on one side.
 SHARED_CONSTANT kBsdfDiffuse = 1u;  // reflects it into all directions; photons are stored and gathered there
 SHARED_CONSTANT kBsdfGlossy = 2u;   // has a lobe with a density
