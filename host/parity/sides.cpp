@@ -116,7 +116,8 @@ reference::RoughPoint Sides::toTwin(const shared::RoughPoint& x, Nudge nudge) co
     twin.surface.normal = glm::normalize(dvec3(x.normal));
     twin.surface.offset = double{x.error};
     const MaterialModel model = materialAt(x.material, dvec3(x.position), glm::dvec2(x.uv), nudge);
-    twin.lobe = reference::lobeOf(model, (x.from & shared::kRayInside) == 0).value();
+    twin.lobe = x.isCoat != 0 ? reference::coatOf(model).value()
+                              : reference::lobeOf(model, (x.from & shared::kRayInside) == 0).value();
     twin.wo = glm::normalize(dvec3(x.wo));
     twin.beta = dvec3(x.beta);
     twin.depth = x.depth;

@@ -6,6 +6,7 @@
 //                        cosine-weighted hemisphere
 //   NAMELobe             how it reflects or refracts, seen from one side
 //   NAMEReflectance      share of the light that a facet of the lobe reflects
+//   NAMECoat             a second lobe that lies over all else; NAMEOverLobe what it lets through to the lobe at an angle
 // Sampling, evaluation and densities follow from these here and in microfacets.glsl.
 #ifndef HYALITE_BSDF_GLSL
 #define HYALITE_BSDF_GLSL
@@ -83,6 +84,37 @@ vec3 lobeReflectance(Lobe lobe, float cosine) {
     return vec3(0.0);
 }
 
+bool isCoated(MaterialRecord material) {
+#define ROW(Name, name) || isMaterial(material.type, kMaterial##Name)
+    return false HYALITE_COATED_MODELS(ROW);
+#undef ROW
+}
+
+// Of a coated material.
+Lobe coatOf(MaterialRecord material) {
+#define ROW(Name, name)                                                                                                \
+    if (isMaterial(material.type, kMaterial##Name)) {                                                                  \
+        return name##Coat(material);                                                                                   \
+    }
+    HYALITE_COATED_MODELS(ROW)
+#undef ROW
+    return reflectingLobe(material, 0.0);
+}
+
+// What lies over the lobe lets through at an angle.
+float overLobe(Lobe lobe, float cosine) {
+    if (lobe.isCoat) {
+        return 1.0;
+    }
+#define ROW(Name, name)                                                                                                \
+    if (isMaterial(lobe.material.type, kMaterial##Name)) {                                                             \
+        return name##OverLobe(lobe.material, cosine);                                                                  \
+    }
+    HYALITE_COATED_MODELS(ROW)
+#undef ROW
+    return 1.0;
+}
+
 // ---- What follows
 
 bool hasDiffusePart(MaterialRecord material) {
@@ -98,7 +130,36 @@ bool isSmoothGlass(Lobe lobe) {
     return lobe.transmits && lobe.alpha == 0.0;
 }
 
-// With which probability a path takes the lobe where it takes one of lobe and diffuse part.
+// Share of the light that a lobe reflects, the mean of the channels.
+float lobeShare(Lobe lobe, float cosOut) {
+    return meanComponent(lobeReflectance(lobe, cosOut)) * overLobe(lobe, cosOut);
+}
+
+// With which probability a path takes the coat where it takes a lobe.
+float coatProbability(Lobe lobe, float cosOut) {
+    if (!isCoated(lobe.material)) {
+        return 0.0;
+    }
+    float ofCoat = lobeShare(coatOf(lobe.material), cosOut);
+    return ofCoat / max(ofCoat + lobeShare(lobe, cosOut), kTiny);
+}
+
+// The lobe that a path takes: `lobe` or the coat over it. `choice` in [0, 1); `probability` is that of the answer.
+Lobe pickLobe(Lobe lobe, float cosOut, float choice, out float probability) {
+    probability = 1.0;
+    if (!isCoated(lobe.material)) {
+        return lobe;
+    }
+    float ofCoat = coatProbability(lobe, cosOut);
+    if (choice < ofCoat) {
+        probability = ofCoat;
+        return coatOf(lobe.material);
+    }
+    probability = 1.0 - ofCoat;
+    return lobe;
+}
+
+// With which probability a path takes a lobe where it takes one of lobes and diffuse part.
 float lobeProbability(MaterialRecord material, Lobe lobe, float cosOut) {
     if (!hasDiffusePart(material)) {
         return 1.0;
@@ -106,7 +167,10 @@ float lobeProbability(MaterialRecord material, Lobe lobe, float cosOut) {
     if (!hasLobe(material)) {
         return 0.0;
     }
-    float reflected_ = meanComponent(lobeReflectance(lobe, cosOut));
+    float reflected_ = lobeShare(lobe, cosOut);
+    if (isCoated(material)) {
+        reflected_ += lobeShare(coatOf(material), cosOut);
+    }
     return reflected_ / (reflected_ + meanComponent(diffuseShare(material)) * overDiffuse(material, cosOut));
 }
 
@@ -116,7 +180,11 @@ vec3 leavingShare(MaterialRecord material, Lobe lobe, float cosOut) {
     if (!hasLobe(material)) {
         return diffuse;
     }
-    return (lobe.transmits ? vec3(1.0) : lobeReflectance(lobe, cosOut)) + diffuse;
+    if (isCoated(material)) {
+        diffuse += lobeReflectance(coatOf(material), cosOut);
+    }
+    float over = overLobe(lobe, cosOut);
+    return (lobe.transmits ? vec3(1.0) : lobeReflectance(lobe, cosOut) * (over * over)) + diffuse;
 }
 
 // By the cosine, of paths that take the diffuse part with this probability. A direction on the wrong side of the true surface, which a smoothed normal may cause, is not absorbed.
@@ -150,6 +218,9 @@ BsdfSample sampleBsdf(MaterialRecord material, bool front, vec3 normal, vec3 geo
     if (choice >= probability) {
         return sampleDiffuse(material, normal, cosOut, u, 1.0 - probability);
     }
+    float ofLobe;
+    lobe = pickLobe(lobe, cosOut, choice / probability, ofLobe);
+    probability *= ofLobe;
     BsdfSample s = sampleLobe(lobe, normal, geometricNormal, wo, u, choice / probability, transport);
     s.weight /= probability;
     s.pdfW *= probability;
@@ -168,11 +239,17 @@ BsdfValue evaluateBsdf(MaterialRecord material, bool front, vec3 normal, vec3 ge
         value.pdfW = (1.0 - lobeProbability(material, lobe, cosOut)) * diffuse.pdfW;
         value.reversePdfW = (1.0 - lobeProbability(material, lobe, cosIn)) * diffuse.reversePdfW;
     }
-    if (lobe.alpha > 0.0) {
-        BsdfValue rough = evaluateLobe(lobe, normal, geometricNormal, wo, wi, transport);
-        value.fCos += rough.fCos;
-        value.pdfW += lobeProbability(material, lobe, cosOut) * rough.pdfW;
-        value.reversePdfW += lobeProbability(material, lobe, cosIn) * rough.reversePdfW;
+    float ofCoat = coatProbability(lobe, cosOut);
+    float reverseOfCoat = coatProbability(lobe, cosIn);
+    for (uint i = 0u; i < (isCoated(material) ? 2u : 1u); ++i) {
+        Lobe one = i == 0u ? lobe : coatOf(material);
+        if (one.alpha > 0.0) {
+            BsdfValue rough = evaluateLobe(one, normal, geometricNormal, wo, wi, transport);
+            value.fCos += rough.fCos;
+            value.pdfW += lobeProbability(material, lobe, cosOut) * (i == 0u ? 1.0 - ofCoat : ofCoat) * rough.pdfW;
+            value.reversePdfW += lobeProbability(material, lobe, cosIn) *
+                                 (i == 0u ? 1.0 - reverseOfCoat : reverseOfCoat) * rough.reversePdfW;
+        }
     }
     return value;
 }

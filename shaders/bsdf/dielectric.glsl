@@ -14,7 +14,7 @@ uint dielectricFlags(MaterialRecord material) {
 }
 
 Lobe dielectricLobe(MaterialRecord material, bool front) {
-    return Lobe(material, front ? 1.0 / material.ior : material.ior, dielectricAlpha(material), true);
+    return Lobe(material, front ? 1.0 / material.ior : material.ior, dielectricAlpha(material), true, false);
 }
 
 vec3 dielectricReflectance(Lobe lobe, float cosine) {

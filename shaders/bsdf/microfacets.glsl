@@ -6,7 +6,8 @@
 #include "bsdf/interface.glsl"
 #include "bsdf/parts.glsl"
 
-vec3 lobeReflectance(Lobe lobe, float cosine); // see bsdf.glsl
+vec3 lobeReflectance(Lobe lobe, float cosine); // see bsdf.glsl, both
+float overLobe(Lobe lobe, float cosine);
 
 // Radiance over the squared index is what refraction conserves: camera paths carry its factor, photons carry flux.
 float refractionFactor(Lobe lobe, uint transport) {
@@ -23,7 +24,8 @@ BsdfSample sampleSmooth(Lobe lobe, vec3 normal, vec3 wo, float choice, uint tran
         }
         return BsdfSample(reflection, vec3(1.0), 0.0, false);
     }
-    return BsdfSample(reflection, lobeReflectance(lobe, cosOut), 0.0, false);
+    float over = overLobe(lobe, cosOut);
+    return BsdfSample(reflection, lobeReflectance(lobe, cosOut) * (over * over), 0.0, false);
 }
 
 // Solid angle of facet normals per solid angle of transmitted directions [Walter07]; the cosine on the far side, where
@@ -49,7 +51,7 @@ BsdfSample sampleRough(Lobe lobe, vec3 normal, vec3 geometricNormal, vec3 wo, ve
         s.pdfW = s.through ? 1.0 - facet.reflectance : facet.reflectance;
         i = s.through ? refracted(-o, m, cosMicro, facet) : i;
     } else {
-        s.weight = lobeReflectance(lobe, cosMicro);
+        s.weight = lobeReflectance(lobe, cosMicro) * (overLobe(lobe, o.z) * overLobe(lobe, abs(i.z)));
     }
     s.direction = normalize(fromLocal(i, normal));
     bool below = dot(s.direction, geometricNormal) < 0.0;
@@ -104,7 +106,7 @@ BsdfValue evaluateLobe(Lobe lobe, vec3 normal, vec3 geometricNormal, vec3 wo, ve
         pdfW *= through ? 1.0 - reflectance : reflectance;
         reversePdfW *= through ? 1.0 - reflectance : reflectance;
     } else {
-        weight = lobeReflectance(lobe, cosMicro);
+        weight = lobeReflectance(lobe, cosMicro) * (overLobe(lobe, o.z) * overLobe(lobe, i.z));
     }
     if (through) {
         pdfW *= cosMicro * refractionJacobian(lobe.eta, cosMicro, cosIn);

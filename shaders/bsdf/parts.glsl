@@ -13,6 +13,7 @@ struct Lobe {
     float eta;               // of a lobe that transmits: index of the side it is seen from over that of the other
     float alpha;             // of the GGX distribution; 0: smooth
     bool transmits;
+    bool isCoat; // over the material's other lobe
 };
 
 // What carries over a boundary: radiance is scaled by the squared indices there, flux is not.
@@ -51,6 +52,6 @@ uint lobeFlag(float roughness) {
 
 // Of a surface that transmits nothing.
 Lobe reflectingLobe(MaterialRecord material, float alpha) {
-    return Lobe(material, 1.0, alpha, false);
+    return Lobe(material, 1.0, alpha, false, false);
 }
 #endif

@@ -55,9 +55,9 @@ VisiblePoint noVisiblePoint(CameraPath path) {
 }
 
 // `result`: where the light is to be added that it gets.
-RoughPoint roughAt(Surface s, vec3 wo, CameraPath path, uint depth, uint result) {
+RoughPoint roughAt(Surface s, Lobe lobe, vec3 wo, CameraPath path, uint depth, uint result) {
     return RoughPoint(s.position, s.error, s.normal, depth, s.geometricNormal, path.samplerSeed, wo, leaving(s, false),
-                      path.beta, result, s.uv, s.material);
+                      path.beta, result, s.uv, s.material, lobe.isCoat ? 1u : 0u);
 }
 
 // The path behind the surface, with random numbers of its own if it is one of two.

@@ -22,7 +22,7 @@ void main() {
         return;
     }
     MaterialRecord material = texturedMaterial(args.materials.at[x.material], x.position, x.uv);
-    Lobe lobe = lobeOf(material, (x.from & kRayInside) == 0u);
+    Lobe lobe = x.isCoat != 0u ? coatOf(material) : lobeOf(material, (x.from & kRayInside) == 0u);
     Sampler s = lightSampler(x.samplerSeed, args.light, args.pass);
     LightRecord light = args.lights.at[lightAsked(args.lights, args.lightCount, args.light, s, x.depth)];
     DirectLight toLight = directLight(light, args.light == kNone ? light.pmf : 1.0, x, lobe, s);

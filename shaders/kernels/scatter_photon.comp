@@ -49,8 +49,11 @@ vec3 scatter(uint i, Surface s, MaterialRecord material, Lobe lobe, vec3 wo, Pho
     BsdfSample next;
     uint kind;
     if (roulette.y < probability) {
+        float ofLobe;
+        lobe = pickLobe(lobe, cosIn, roulette.y / probability, ofLobe);
         next = sampleLobe(lobe, s.normal, s.geometricNormal, wo, u, roulette.y, kFlux);
         next.weight /= probability;
+        next.weight /= ofLobe;
         kind = path.kind == kPhotonDirect ? kPhotonCaustic : path.kind; // until it meets a diffuse surface
     } else {
         if (!isWanted(kPhotonIndirect)) {

@@ -75,7 +75,7 @@ void leaveByLobe(uint i, Surface s, vec3 wo, Lobe lobe, CameraPath path, float c
     if (sceneHasRoughLobes() && lobe.alpha > 0.0) {
         u = sampleUnit(pathSampler(path.samplerSeed, args.pass), cameraBounce(args.depth - 1u));
         if (args.depth < args.maxDepth) {
-            args.roughPoints.at[i] = roughAt(s, wo, path, args.depth, path.pixel);
+            args.roughPoints.at[i] = roughAt(s, lobe, wo, path, args.depth, path.pixel);
         }
     }
     follow(i, s, sampleLobe(lobe, s.normal, s.geometricNormal, wo, u, choice, kRadiance), path);
@@ -95,6 +95,9 @@ void scatter(uint i, Surface s, Hit hit, MaterialRecord material, vec3 wo, Camer
         visible = visibleAt(s, wo, path, args.depth, 1.0 - probability);
     } else {
         path.beta /= probability;
+        float ofLobe;
+        lobe = pickLobe(lobe, cosOut, choice / probability, ofLobe);
+        path.beta /= ofLobe;
         leaveByLobe(i, s, wo, lobe, path, choice);
     }
 }

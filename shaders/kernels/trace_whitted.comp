@@ -60,7 +60,7 @@ void leaveByLobe(uint i, Surface s, vec3 wo, Lobe lobe, CameraPath path, uint re
         u = sampleUnit(numbers, cameraBounce(args.depth - 1u));
         choice = sampleUnit(numbers, cameraScatter(args.depth - 1u)).x;
         if (args.depth < args.maxDepth) {
-            args.roughPoints.at[i] = roughAt(s, wo, path, args.depth, result);
+            args.roughPoints.at[i] = roughAt(s, lobe, wo, path, args.depth, result);
         }
     }
     follow(i, s, sampleLobe(lobe, s.normal, s.geometricNormal, wo, u, choice, kRadiance), path, path.samplerSeed);
@@ -80,6 +80,12 @@ void scatter(uint i, Surface s, MaterialRecord material, vec3 wo, CameraPath pat
         receiver = receiverOf(visible, material);
     }
     if (probability > 0.0) {
+        if (isCoated(material)) { // of two lobes it follows one
+            float ofLobe;
+            Sampler numbers = pathSampler(path.samplerSeed, args.pass);
+            lobe = pickLobe(lobe, cosOut, sampleUnit(numbers, cameraScatter(args.depth - 1u)).x, ofLobe);
+            path.beta /= ofLobe;
+        }
         leaveByLobe(i, s, wo, lobe, path, result);
     }
 }

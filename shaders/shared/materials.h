@@ -13,6 +13,7 @@ SHARED_CONSTANT kMaterialDielectric = 3u;
 SHARED_CONSTANT kMaterialConductor = 4u;
 SHARED_CONSTANT kMaterialMetallicRoughness = 5u;
 SHARED_CONSTANT kMaterialCustom = 6u;
+SHARED_CONSTANT kMaterialClearCoat = 7u;
 SHARED_CONSTANT kMaterialRough = 31u; // not a model: set for a scene with at least one rough lobe
 
 // Every model.
@@ -22,12 +23,14 @@ SHARED_CONSTANT kMaterialRough = 31u; // not a model: set for a scene with at le
     ROW(Dielectric, dielectric)                                                                                        \
     ROW(Conductor, conductor)                                                                                          \
     ROW(MetallicRoughness, metallicRoughness)                                                                          \
-    ROW(Custom, custom)
+    ROW(Custom, custom)                                                                                                \
+    ROW(ClearCoat, clearCoat)
 
 // Those with a diffuse part: their GLSL has NAMEAlbedo, NAMEOverDiffuse and NAMEMeanOverDiffuse.
 #define HYALITE_DIFFUSE_MODELS(ROW)                                                                                    \
     ROW(Diffuse, diffuse)                                                                                              \
-    ROW(MetallicRoughness, metallicRoughness)
+    ROW(MetallicRoughness, metallicRoughness)                                                                          \
+    ROW(ClearCoat, clearCoat)
 
 // Those with a lobe: their GLSL has NAMELobe and NAMEReflectance.
 #define HYALITE_LOBE_MODELS(ROW)                                                                                       \
@@ -35,7 +38,11 @@ SHARED_CONSTANT kMaterialRough = 31u; // not a model: set for a scene with at le
     ROW(Dielectric, dielectric)                                                                                        \
     ROW(Conductor, conductor)                                                                                          \
     ROW(MetallicRoughness, metallicRoughness)                                                                          \
-    ROW(Custom, custom)
+    ROW(Custom, custom)                                                                                                \
+    ROW(ClearCoat, clearCoat)
+
+// Of the latter, those with a second lobe, a coat over the rest: their GLSL has NAMECoat and NAMEOverLobe.
+#define HYALITE_COATED_MODELS(ROW) ROW(ClearCoat, clearCoat)
 
 // What a surface may do with light that arrives on one side.
 SHARED_CONSTANT kBsdfDiffuse = 1u;  // reflects it into all directions; photons are stored and gathered there
@@ -54,18 +61,21 @@ struct MaterialFields {
 #define Vector4 vec4
 struct MaterialRecord {
 #endif
-    uint type;             // kMaterial…
-    Color color;           // diffuse: albedo; mirror: reflectance; metallic-roughness: base colour; each in [0, 1]
-    Color eta;             // conductor: index of refraction, real part
-    Color k;               // conductor: likewise, imaginary part
+    uint type;   // kMaterial…
+    Color color; // diffuse: albedo; mirror: reflectance; metallic-roughness, clear coat: base colour; each in [0, 1]
+    Color eta;   // conductor: index of refraction, real part
+    Color k;     // conductor: likewise, imaginary part
     Color absorption;      // dielectric: coefficient inside [1/m]
     Scalar ior;            // dielectric: index inside over outside, > 0
     Scalar roughness;      // 0: smooth; else the alpha of the GGX distribution is its square
-    Scalar metallic;       // metallic-roughness: 0 dielectric, 1 metal
+    Scalar metallic;       // metallic-roughness, clear coat: 0 dielectric, 1 metal
+    Scalar coat;           // clear coat: share of the surface that it covers, [0, 1]
+    Scalar coatRoughness;  // likewise: as roughness, of the coat
+    Scalar coatIor;        // likewise: index of the coat over that outside, >= 1
     Vector4 parameters;    // custom: of its function
     uint function;         // custom: number of its function among the scene's
     uint colorTexture;     // multiplies `color`; kNone: none
-    uint roughnessTexture; // metallic-roughness: green times roughness, blue times metallic; kNone: none
+    uint roughnessTexture; // of those: green times roughness, blue times metallic; kNone: none
 };
 #ifdef __cplusplus
 using MaterialRecord = MaterialFields<float, vec3, vec4>;
@@ -81,6 +91,7 @@ SHARED_END
 
 // bsdf.glsl asks for the models themselves.
 #ifdef HYALITE_BSDF_MODELS
+#include "bsdf/clear_coat.glsl"
 #include "bsdf/conductor.glsl"
 #include "bsdf/custom.glsl"
 #include "bsdf/dielectric.glsl"

@@ -70,6 +70,7 @@ struct RoughPoint {
     uint result; // where the light it gets is added: the pixel, or the path where pixels have several
     vec2 uv;     // texture coordinates
     uint material;
+    uint isCoat; // 1: it left by the material's coat, 0: by its other lobe
 };
 DEVICE_ARRAY(RoughPoint, RoughPointArray);
 

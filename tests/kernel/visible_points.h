@@ -67,8 +67,9 @@ inline dvec3 fAt(const BothSides& both, const shared::VisiblePoint& x) {
 }
 
 inline reference::Lobe lobeAt(const BothSides& both, const shared::RoughPoint& x) {
-    return reference::lobeOf(materialAt(both, x.material, x.position, x.uv), (x.from & shared::kRayInside) == 0)
-        .value();
+    const MaterialModel model = materialAt(both, x.material, x.position, x.uv);
+    return x.isCoat != 0 ? reference::coatOf(model).value()
+                         : reference::lobeOf(model, (x.from & shared::kRayInside) == 0).value();
 }
 
 } // namespace hyalite::testing

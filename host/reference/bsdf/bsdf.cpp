@@ -50,7 +50,7 @@ bool isOnSide(const ShadingNormals& normals, const glm::dvec3& wi, bool through)
 BsdfValue evaluateReflection(const Lobe& lobe, const glm::dvec3& o, const glm::dvec3& i) {
     const glm::dvec3 m = glm::normalize(o + i);
     const double cosMicro = glm::dot(o, m);
-    const glm::dvec3 F = facetReflectance(lobe, cosMicro);
+    const glm::dvec3 F = facetReflectance(lobe, cosMicro) * (overLobe(lobe, o.z) * overLobe(lobe, i.z));
     const double taken = lobe.transmits ? F.x : 1.0; // where a path may be refracted instead
     const double G = 1 / (1 + smithLambda(o, lobe.alpha) + smithLambda(i, lobe.alpha));
     return {.f = F * (ggxDistribution(m, lobe.alpha) * G / (4 * o.z * i.z)),
@@ -82,6 +82,17 @@ BsdfValue evaluateRefraction(const Lobe& lobe, const glm::dvec3& o, const glm::d
             .reversePdfW = transmitted * visibleNormalDensity(-i, m, lobe.alpha) * reverseJacobian};
 }
 
+// Share of the light that the lobe reflects, the mean of the channels.
+double shareOf(const Lobe& lobe, double cosOut) {
+    return mean(facetReflectance(lobe, cosOut)) * overLobe(lobe, cosOut);
+}
+
+// With which probability a path takes the coat where it takes a lobe.
+double coatProbability(const Lobe& lobe, const Lobe& coat, double cosOut) {
+    const double ofCoat = shareOf(coat, cosOut);
+    return ofCoat > 0 ? ofCoat / (ofCoat + shareOf(lobe, cosOut)) : 0;
+}
+
 BsdfSample sampleSmooth(const Lobe& lobe, const glm::dvec3& normal, const glm::dvec3& wo, double choice,
                         Transport transport) {
     const double cosOut = incidentCosine(-wo, normal);
@@ -93,7 +104,8 @@ BsdfSample sampleSmooth(const Lobe& lobe, const glm::dvec3& normal, const glm::d
         }
         return {.direction = reflect(-wo, normal), .weight = glm::dvec3(1)};
     }
-    return {.direction = reflect(-wo, normal), .weight = facetReflectance(lobe, cosOut)};
+    return {.direction = reflect(-wo, normal),
+            .weight = facetReflectance(lobe, cosOut) * std::pow(overLobe(lobe, cosOut), 2)};
 }
 
 } // namespace
@@ -140,11 +152,28 @@ glm::dvec3 facetReflectance(const Lobe& lobe, double cosine) {
     return modelOf(lobe.material)->reflectance(lobe, std::clamp(cosine, 0.0, 1.0));
 }
 
+std::optional<Lobe> coatOf(const MaterialModel& material) {
+    const BsdfModel* model = modelOf(material);
+    return model != nullptr && model->coat != nullptr ? std::optional(model->coat(material)) : std::nullopt;
+}
+
+double overLobe(const Lobe& lobe, double cosine) {
+    const auto over = modelOf(lobe.material)->overLobe;
+    return over != nullptr && !lobe.isCoat ? over(lobe.material, cosine) : 1;
+}
+
+PickedLobe pickLobe(const Lobe& lobe, double cosOut, double choice) {
+    const std::optional<Lobe> coat = coatOf(lobe.material);
+    const double ofCoat = coat ? coatProbability(lobe, *coat, cosOut) : 0;
+    return choice < ofCoat ? PickedLobe{*coat, ofCoat} : PickedLobe{lobe, 1 - ofCoat};
+}
+
 double lobeProbability(const std::optional<Lobe>& lobe, const std::optional<DiffusePart>& diffuse, double cosOut) {
     if (!lobe || !diffuse) {
         return lobe ? 1 : 0;
     }
-    const double reflected = mean(facetReflectance(*lobe, cosOut));
+    const std::optional<Lobe> coat = coatOf(lobe->material);
+    const double reflected = shareOf(*lobe, cosOut) + (coat ? shareOf(*coat, cosOut) : 0);
     return reflected / (reflected + mean(diffuse->share) * diffuse->letThrough(cosOut));
 }
 
@@ -199,7 +228,9 @@ std::optional<BsdfSample> sampleBsdf(const MaterialModel& material, bool front, 
     std::optional<BsdfSample> sample;
     double taken = probability;
     if (choice < probability) {
-        sample = sampleLobe(*lobe, normals, wo, uv, choice / probability, transport);
+        const PickedLobe picked = pickLobe(*lobe, cosOut, choice / probability);
+        taken *= picked.probability;
+        sample = sampleLobe(picked.lobe, normals, wo, uv, choice / probability, transport);
     } else if (diffuse) {
         taken = 1 - probability;
         const glm::dvec3 direction = cosineHemisphere(uv, normals.normal);
@@ -227,11 +258,21 @@ BsdfValue evaluateBsdf(const MaterialModel& material, bool front, const ShadingN
         value.pdfW = (1 - lobeProbability(lobe, diffuse, cosOut)) * cosIn / std::numbers::pi;
         value.reversePdfW = (1 - lobeProbability(lobe, diffuse, cosIn)) * cosOut / std::numbers::pi;
     }
-    if (lobe && lobe->alpha > 0) {
-        const BsdfValue rough = evaluateLobe(*lobe, normals, wo, wi, transport);
-        value.f += rough.f;
-        value.pdfW += lobeProbability(lobe, diffuse, cosOut) * rough.pdfW;
-        value.reversePdfW += lobeProbability(lobe, diffuse, cosIn) * rough.reversePdfW;
+    const std::optional<Lobe> coat = coatOf(material);
+    const auto add = [&](const Lobe& one, const auto& probability) {
+        if (one.alpha > 0) {
+            const BsdfValue rough = evaluateLobe(one, normals, wo, wi, transport);
+            value.f += rough.f;
+            value.pdfW += lobeProbability(lobe, diffuse, cosOut) * probability(cosOut) * rough.pdfW;
+            value.reversePdfW += lobeProbability(lobe, diffuse, cosIn) * probability(cosIn) * rough.reversePdfW;
+        }
+    };
+    const auto ofCoat = [&](double cosine) { return coat ? coatProbability(*lobe, *coat, cosine) : 0; };
+    if (lobe) {
+        add(*lobe, [&](double cosine) { return 1 - ofCoat(cosine); });
+    }
+    if (coat) {
+        add(*coat, ofCoat);
     }
     return value;
 }

@@ -32,10 +32,23 @@ struct DiffusePart {
 // None where the material is diffuse alone. `front`: seen from the front.
 [[nodiscard]] std::optional<Lobe> lobeOf(const MaterialModel& material, bool front);
 
+// The lobe that lies over the rest of the material; none where there is none.
+[[nodiscard]] std::optional<Lobe> coatOf(const MaterialModel& material);
+
+// What lies over the lobe lets through at an angle.
+[[nodiscard]] double overLobe(const Lobe& lobe, double cosine);
+
+// The lobe that a path takes: `lobe` or the coat over it, and the probability of that. `choice` in [0, 1).
+struct PickedLobe {
+    Lobe lobe;
+    double probability = 1;
+};
+[[nodiscard]] PickedLobe pickLobe(const Lobe& lobe, double cosOut, double choice);
+
 // Share of the light that a facet reflects.
 [[nodiscard]] glm::dvec3 facetReflectance(const Lobe& lobe, double cosine);
 
-// The probability with which a path takes the lobe where it takes one of the two.
+// The probability with which a path takes a lobe where it takes one of lobes and diffuse part.
 [[nodiscard]] double lobeProbability(const std::optional<Lobe>& lobe, const std::optional<DiffusePart>& diffuse,
                                      double cosOut);
 

@@ -14,6 +14,7 @@ struct Lobe {
     double eta = 1;   // of a lobe that transmits: index of this side over that of the other
     double alpha = 0; // of the GGX distribution; 0: smooth
     bool transmits = false;
+    bool isCoat = false; // over the material's other lobe
 };
 
 struct BsdfModel {
@@ -28,6 +29,11 @@ struct BsdfModel {
     // Of a model with a lobe, else nullptr: the lobe, and the share of the light that a facet of it reflects.
     Lobe (*lobe)(const MaterialModel& material, bool front) = nullptr;
     glm::dvec3 (*reflectance)(const Lobe& lobe, double cosine) = nullptr;
+
+    // Of a model with a second lobe over all else, else nullptr: that coat, and what it lets through to the lobe at an
+    // angle.
+    Lobe (*coat)(const MaterialModel& material) = nullptr;
+    double (*overLobe)(const MaterialModel& material, double cosine) = nullptr;
 };
 
 #define ROW(Name, name) extern const BsdfModel k##Name##Bsdf;

@@ -196,9 +196,10 @@ Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const C
     // ppm limits the segments of the path, whitted the bounces between them.
     const std::uint32_t maxSegments = world.render.maxDepth + (whitted ? 1 : 0);
     if (lobe && depth < maxSegments && (both || choice < probability)) {
-        onward.beta = path.beta / (both ? 1 : probability);
+        const PickedLobe picked = pickLobe(*lobe, cosOut, both ? choice : choice / probability);
+        onward.beta = path.beta / (both ? 1 : probability) / picked.probability;
         if (lobe->alpha > 0 || !lobe->transmits) {
-            leaveByLobe(shading, surface, ray, *lobe, onward, depth, pass, choice);
+            leaveByLobe(shading, surface, ray, picked.lobe, onward, depth, pass, choice);
         } else if (whitted) {
             shading.next = splitAtDielectric(surface, ray.direction, lobe->eta, path);
         } else {

@@ -86,9 +86,12 @@ PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, 
     const double cosIn = incidentCosine(ray.direction, surface.normal);
     const double probability = lobeProbability(lobe, diffuse, cosIn);
     std::optional<BsdfSample> sample;
+    double taken = 1 - probability; // of the part that is taken
     if (xy.y < probability) {
         const ShadingNormals normals{surface.normal, surface.geometricNormal};
-        sample = sampleLobe(*lobe, normals, -ray.direction, uv, xy.y, Transport::Flux);
+        const PickedLobe picked = pickLobe(*lobe, cosIn, xy.y / probability);
+        sample = sampleLobe(picked.lobe, normals, -ray.direction, uv, xy.y, Transport::Flux);
+        taken = probability * picked.probability;
         if (path.kind == PhotonKind::Direct) { // may become a caustic
             scatter.path.kind = PhotonKind::Caustic;
         }
@@ -98,8 +101,7 @@ PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, 
         sample = BsdfSample{.direction = direction, .weight = weight};
         scatter.path.kind = PhotonKind::Indirect;
     }
-    if (sample &&
-        survives(sample->weight / (xy.y < probability ? probability : 1 - probability), xy.x, scatter.path.power)) {
+    if (sample && survives(sample->weight / taken, xy.x, scatter.path.power)) {
         scatter.next = Ray{.origin = leave(surface, sample->direction), .direction = sample->direction};
         if (sample->through) {
             scatter.path.medium = surface.front ? surface.material : nullptr;

@@ -40,7 +40,7 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(VisiblePoint, position, depth, normal, samplerSeed, onSurface, from, wo, geometricNormal, beta, pixel,
                 uv, material, probability);
     HOST_LAYOUT(RoughPoint, position, error, normal, depth, geometricNormal, samplerSeed, wo, from, beta, result, uv,
-                material);
+                material, isCoat);
     HOST_LAYOUT(PhotonPath, power, photon, light, kind, medium);
     HOST_LAYOUT(Photon, position, direction, power, surface);
     HOST_LAYOUT(PhotonFate, stored, absorbed, escaped, cutOff);

@@ -29,6 +29,15 @@ MaterialModel oilFilm(double roughness) {
     return CustomReflectance{.code = code, .parameters = {500, 1.4, 0.3, 0}, .roughness = roughness};
 }
 
+MaterialModel coated(const MetallicRoughness& base, double roughness, double ior, double coat = 1) {
+    MaterialModel model = base;
+    model.type = shared::kMaterialClearCoat;
+    model.coat = coat;
+    model.coatRoughness = roughness;
+    model.coatIor = ior;
+    return model;
+}
+
 const std::vector<Modelled>& models() {
     static const std::vector<Modelled> all{
         {"diffuse", Diffuse{{0.8, 0.5, 0.2}}},
@@ -42,6 +51,9 @@ const std::vector<Modelled>& models() {
         {"matt lacquer", MetallicRoughness{{0.8, 0.5, 0.2}, 0.4, 0.6}},
         {"rough gold", MetallicRoughness{{0.9, 0.7, 0.3}, 1, 0.7}},
         {"oil film", oilFilm(0.5)},
+        {"car paint", coated({{0.8, 0.1, 0.1}, 0.5, 0.6}, 0, 1.5)},
+        {"worn car paint", coated({{0.8, 0.1, 0.1}, 0.5, 0.6}, 0.4, 1.5, 0.7)},
+        {"varnished gold", coated({{0.9, 0.7, 0.3}, 1, 0.7}, 0.5, 1.8)},
     };
     return all;
 }
@@ -111,17 +123,17 @@ TEST_CASE("the density of a whole BSDF integrates to the share that is not absor
         for (const double angle : {0.0, 0.7, 1.2}) {
             INFO(name << " at " << angle);
             const dvec3 wo(std::sin(angle), 0, std::cos(angle));
-            constexpr int kCells = 400;
+            constexpr int kRows = 400; // midpoints in both angles
+            constexpr int kColumns = 200;
             double integral = 0;
-            for (int i = 0; i < kCells * kCells; ++i) {
-                const int row = i / kCells;
-                const double z = 2 * (row + 0.5) / kCells - 1;
-                const double phi = 2 * pi * (i % kCells + 0.5) / kCells;
-                const double sine = std::sqrt(1 - z * z);
-                const dvec3 wi(sine * std::cos(phi), sine * std::sin(phi), z);
-                integral += evaluateBsdf(model, true, kUp, wo, wi, Transport::Radiance).pdfW;
+            for (int i = 0; i < kRows * kColumns; ++i) {
+                const int row = i / kColumns;
+                const double theta = pi * (row + 0.5) / kRows;
+                const double phi = 2 * pi * (i % kColumns + 0.5) / kColumns;
+                const dvec3 wi(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+                integral += std::sin(theta) * evaluateBsdf(model, true, kUp, wo, wi, Transport::Radiance).pdfW;
             }
-            integral *= 4 * pi / (kCells * kCells);
+            integral *= 2 * pi * pi / (kRows * kColumns);
             Random random;
             constexpr int kSide = 100;
             double kept = 0;
@@ -161,7 +173,7 @@ TEST_CASE("a sample weighs f cos / pdf of its part, and smooth lobes have no den
                 continue;
             }
             // Of one part, or of all of them where there is but one
-            const bool isOnly = !lobe || !has(model, shared::kBsdfDiffuse);
+            const bool isOnly = !lobe || (!has(model, shared::kBsdfDiffuse) && !coatOf(model));
             CHECK(sample->pdfW <= whole.pdfW * (1 + 1e-9));
             const dvec3 fCos = sample->weight * sample->pdfW;
             if (isOnly) {
@@ -190,6 +202,68 @@ TEST_CASE("no model reflects or transmits more flux than arrives, and its mean w
                 sum += sample ? sample->weight / double(kSide * kSide) : dvec3(0);
             }
             CHECK(glm::all(glm::lessThan(sum, dvec3(1.02)))); // 3600 samples of weights below 2
+        }
+    }
+}
+
+TEST_CASE("a clear coat of index 1, or one that covers nothing, leaves its base as it was") {
+    Random random;
+    const MetallicRoughness base{{0.8, 0.5, 0.2}, 0.4, 0.5};
+    for (const MaterialModel& model : {coated(base, 0, 1), coated(base, 0.6, 1), coated(base, 0.6, 1.5, 0)}) {
+        for (int i = 0; i < 1000; ++i) {
+            const dvec3 wo = upward(random);
+            const dvec3 wi = upward(random);
+            const BsdfValue bare = evaluateBsdf(base, true, kUp, wo, wi, Transport::Radiance);
+            const BsdfValue value = evaluateBsdf(model, true, kUp, wo, wi, Transport::Radiance);
+            checkNear(value.f, bare.f, 1e-9 * (1 + glm::length(bare.f)));
+            CHECK_THAT(value.pdfW, WithinRel(bare.pdfW, 1e-9));
+        }
+    }
+}
+
+TEST_CASE("a coat of glass over a perfect mirror reflects F and lets T in and out") {
+    // Of light at an angle F is reflected, (1 - F)^2 goes in and out: 1 - F + F^2 in all, at normal incidence with
+    // F = (0.5 / 2.5)^2 = 0.04: 0.9616
+    const MaterialModel model = coated({dvec3(1), 1, 0}, 0, 1.5);
+    Random random;
+    for (const double angle : {0.0, 0.8, 1.3}) {
+        const dvec3 wo(std::sin(angle), 0, std::cos(angle));
+        const double inside = std::sqrt(1 - std::pow(std::sin(angle) / 1.5, 2));
+        const double across = (wo.z - 1.5 * inside) / (wo.z + 1.5 * inside);
+        const double along = (1.5 * wo.z - inside) / (1.5 * wo.z + inside);
+        const double F = (across * across + along * along) / 2;
+        double mean = 0;
+        constexpr int kSteps = 1000; // of the number that picks the lobe: weights are right to their steps
+        for (int i = 0; i < kSteps; ++i) {
+            const auto sample = sampleBsdf(model, true, kUp, wo, {0.5, 0.5}, (i + 0.5) / kSteps, Transport::Flux);
+            mean += sample.value().weight.x / kSteps;
+        }
+        CHECK_THAT(mean, WithinAbs(1 - F + F * F, 2e-3));
+    }
+}
+
+TEST_CASE("no coat makes a white base give more light than it gets") {
+    Random random;
+    for (const double metallic : {0.0, 1.0}) {
+        for (const double roughness : {0.0, 0.2, 0.5, 1.0}) {
+            for (const double ior : {1.0, 1.5, 2.5}) {
+                const MaterialModel model = coated({dvec3(1), metallic, 0.4}, roughness, ior);
+                for (const double angle : {0.0, 0.6, 1.1, 1.45}) {
+                    const dvec3 wo(std::sin(angle), 0, std::cos(angle));
+                    constexpr int kSide = 60;
+                    double sum = 0;
+                    for (int i = 0; i < kSide * kSide; ++i) {
+                        const int row = i / kSide;
+                        const dvec2 uv((i % kSide + random.unit()) / kSide, (row + random.unit()) / kSide);
+                        const auto sample = sampleBsdf(model, true, kUp, wo, uv, random.unit(), Transport::Flux);
+                        sum += sample ? sample->weight.x / (kSide * kSide) : 0;
+                    }
+                    INFO("metallic " << metallic << ", coat " << roughness << ", index " << ior << ", " << angle);
+                    // Weights spread by less than 0.5: the mean of 3600 by 0.008
+                    CHECK(sum < 1.03);
+                    CHECK(sum > 0.2);
+                }
+            }
         }
     }
 }

@@ -75,6 +75,7 @@ TEST_CASE("the JSON Schema has exactly the keys that the loader knows") {
         {"/$defs/conductor", "hyalite: 1\nobjects: []\nmaterials: {m: {type: conductor, metal: gold, unheardof: 1}}\n"},
         {"/$defs/metallicRoughness",
          "hyalite: 1\nobjects: []\nmaterials: {m: {type: metallic_roughness, unheardof: 1}}\n"},
+        {"/$defs/clearCoat", "hyalite: 1\nobjects: []\nmaterials: {m: {type: clear_coat, unheardof: 1}}\n"},
         {"/$defs/customReflectance",
          "hyalite: 1\nobjects: []\nmaterials: {m: {type: custom, file: t.glsl, unheardof: 1}}\n"},
         {"/$defs/checker", "hyalite: 1\nobjects: []\ntextures: {t: {type: checker, unheardof: 1}}\n"},
