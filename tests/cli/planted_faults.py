@@ -46,7 +46,7 @@ FAULTS = [
     ("masking twice as strong", "bsdf/ggx.glsl", "return 0.5 * (slant", "return (slant", METALS, "shade_surface"),
     ("balance for power heuristic", "lib/sampling.glsl", "1.0 / (1.0 + ratio * ratio)", "1.0 / (1.0 + ratio)", METALS,
      "sample_rough_lights"),
-    ("missing cosine at the light", "lights/light.glsl", "light.emission * (cosLight * areaFacing(light) / distance2)",
+    ("missing cosine at the light", "lights/area.glsl", "light.emission * (cosLight * areaFacing(light) / distance2)",
      "light.emission * (areaFacing(light) / distance2)", CAUSTICS, "sample_lights"),
     ("missing cosine at the surface", "lights/direct_light.glsl", "toLight.irradiance * cosine /",
      "toLight.irradiance /", CAUSTICS, "sample_lights"),
