@@ -30,14 +30,14 @@ std::string refusalOf(const Json& body) {
 TEST_CASE("what the server sends arrives as it was sent", "[live]") {
     const SocketPair pair;
     send(*pair.server,
-         Start{.scene = "/tmp/room.yaml", .versions = {.good = {{"trace", "trace-1"}}, .bad = {"trace-2"}}});
+         Start{.scene = "/scenes/room.yaml", .versions = {.good = {{"trace", "trace-1"}}, .bad = {"trace-2"}}});
     send(*pair.server, Look{.revision = 7,
                             .settings = {{"render.photons", "5000"}},
                             .shown = "depth",
                             .pixel = 12,
                             .change = std::numeric_limits<std::uint64_t>::max()});
     const auto start = std::get<Start>(readServerMessage(*pair.worker->receive()));
-    CHECK(start.scene == "/tmp/room.yaml");
+    CHECK(start.scene == "/scenes/room.yaml");
     CHECK(start.versions.good == std::map<std::string, std::string>{{"trace", "trace-1"}});
     CHECK(start.versions.bad == std::set<std::string>{"trace-2"});
     const auto look = std::get<Look>(readServerMessage(*pair.worker->receive()));
@@ -121,8 +121,8 @@ TEST_CASE("the page's changes are read, and those of the wrong type refused by n
     CHECK_FALSE(request.settings.at("render.seed"));
     CHECK(request.shown == "depth");
     CHECK_FALSE(request.isPixelAlone());
-    CHECK(readChangeRequest({{"pixel", 5}}).isPixelAlone());
-    CHECK_FALSE(readChangeRequest({{"pixel", 5}, {"reset", true}}).isPixelAlone());
+    CHECK(readChangeRequest({{"pixel", 5U}}).isPixelAlone());
+    CHECK_FALSE(readChangeRequest({{"pixel", 5U}, {"reset", true}}).isPixelAlone());
     const std::map<std::string, Json> refused{{"settings", {{"settings", 3}}},
                                               {"'settings'", {{"settings", {{"render.photons", 5}}}}},
                                               {"shown", {{"shown", 7}}},
