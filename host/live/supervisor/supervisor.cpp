@@ -124,7 +124,7 @@ void Supervisor::waitForAChange() {
 }
 
 void Supervisor::runWorker() {
-    WorkerProcess worker(options_.workerArguments);
+    WorkerProcess worker(options_.workerArguments, options_.program);
     life_.workerStarts();
     page_.workerStarts();
     gone_.reset();

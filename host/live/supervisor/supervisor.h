@@ -22,7 +22,8 @@ namespace hyalite::live {
 struct SupervisorOptions {
     std::filesystem::path scene;
     std::filesystem::path shaders;
-    std::vector<std::string> workerArguments;    // the worker's command and its device options
+    std::string program = "/proc/self/exe";      // of the worker
+    std::vector<std::string> workerArguments;    // its command and its device options
     std::map<std::string, std::string> settings; // over the scene file's, e.g. render.photons
     double limit = 10;                           // see WorkerLife [s]
     std::function<void(const std::string&)> say; // prints a line to the terminal
