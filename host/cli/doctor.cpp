@@ -4,7 +4,7 @@
 #include "cli/shader_folder.h"
 #include "gpu/lavapipe.h"
 #include "gpu/self_test.h"
-#include "live/live_server.h"
+#include "live/server/live_server.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

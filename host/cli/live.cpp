@@ -1,6 +1,7 @@
-// `hyalite live`: a page that shows a scene as it renders, and again as its shaders change. Hidden beside it, the
-// worker process that renders.
+// `hyalite live`: a page that shows a scene while it renders, and renders it again whenever a file is saved. Also the
+// hidden command of the worker process that renders.
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/private_folder.h"
 #include "cli/command.h"
 #include "cli/number_check.h"
@@ -8,8 +9,8 @@
 #include "cli/scene_settings.h"
 #include "cli/shader_folder.h"
 #include "gpu/context.h"
-#include "live/live_server.h"
-#include "live/worker.h"
+#include "live/server/live_server.h"
+#include "live/worker/worker.h"
 #include "scene/load/load_scene.h"
 
 #include <CLI/CLI.hpp>
@@ -46,6 +47,9 @@ std::vector<std::string> workerArguments(const DeviceChoice& device, const std::
     add("--device", device.name);
     add("--shaders", device.shaders);
     add("--cache", cache.string());
+    if (device.timeout) {
+        add("--device-timeout", numberText(*device.timeout));
+    }
     if (device.validation) {
         arguments.emplace_back("--validation");
     }
@@ -57,9 +61,9 @@ std::vector<std::string> workerArguments(const DeviceChoice& device, const std::
 
 void runLive(LiveCommand command) {
     if (!std::filesystem::is_regular_file(command.scene)) {
-        static_cast<void>(loadScene(command.scene)); // says what is wrong; other mistakes the page shows
+        static_cast<void>(loadScene(command.scene)); // throws; the page shows other errors of the scene
     }
-    static_cast<void>(gpu::chooseDevice(gpu::listDevices(), command.device.name)); // throws where there is none
+    static_cast<void>(gpu::chooseDevice(gpu::listDevices(), command.device.name)); // throws when there is none
     command.device.shaders = std::filesystem::absolute(findShaders(command.device.shaders)).lexically_normal().string();
     // Workers find there what earlier ones compiled
     std::optional<PrivateFolder> ownCache;
@@ -88,13 +92,12 @@ void runLive(LiveCommand command) {
 
 void addLive(CLI::App& app) {
     const auto command = std::make_shared<LiveCommand>();
-    CLI::App* sub = app.add_subcommand("live", "a page that renders a scene, and again whenever a shader is saved");
+    CLI::App* sub =
+        app.add_subcommand("live", "serve a page that renders a scene, again whenever a shader or the scene is saved");
     sub->add_option("SCENE", command->scene, "scene file (YAML)")->required();
-    sub->add_option("--port", command->port, "port to listen at; 0: any that is free (7878)")
-        ->check(CLI::Range(0, 65535));
-    sub->add_option(
-        "--host", command->address,
-        "address to listen at instead of this machine's own; the page then needs the token that is printed");
+    sub->add_option("--port", command->port, "port to listen at; 0: any free port (7878)")->check(CLI::Range(0, 65535));
+    sub->add_option("--host", command->address,
+                    "address to listen at, for other machines; the page then needs the token that is printed");
     sub->add_flag("--edit", command->edit, "let the page save shaders and the scene");
     sub->add_option("--limit", command->limit, "stop a kernel that takes longer than this many seconds (10)")
         ->check(finiteNumber(/*zeroAllowed*/ false));

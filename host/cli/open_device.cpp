@@ -38,11 +38,12 @@ void addTwinOption(CLI::App& sub, std::vector<std::string>& twins) {
 OpenDevice::OpenDevice(const DeviceChoice& choice)
     : context_(optionsOf(choice)), compiler_(findShaders(choice.shaders), cacheFolder(), shippedKernels()) {
     // Whoever waits for a device that hangs, as destructors do, hangs too: the program ends here
-    gpu::setWatchdog(context_, {.limit = choice.timeout, .onStuck = [](const std::string& what) {
-                                    std::cerr << "hyalite: " << what << '\n';
-                                    std::cerr.flush();
-                                    std::_Exit(static_cast<int>(ExitCode::Device));
-                                }});
+    gpu::setWatchdog(context_,
+                     {.limit = choice.timeout.value_or(gpu::Watchdog().limit), .onStuck = [](const std::string& what) {
+                          std::cerr << "hyalite: " << what << '\n';
+                          std::cerr.flush();
+                          std::_Exit(static_cast<int>(ExitCode::Device));
+                      }});
     gpu::selfTest(context_, compiler_);
 }
 

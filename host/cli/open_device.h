@@ -6,6 +6,7 @@
 #include "gpu/watchdog.h"
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@ struct DeviceChoice {
     std::string name;    // see gpu::ContextOptions
     std::string shaders; // folder; empty: those installed
     bool validation = false;
-    double timeout = gpu::Watchdog().limit; // [s]
+    std::optional<double> timeout; // [s]; nothing: see gpu::Watchdog
 };
 
 // --device, --shaders, --validation and --device-timeout.

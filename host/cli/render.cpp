@@ -63,6 +63,7 @@ void refuseDeviceOptions(const RenderCommand& command) {
     refuse(!command.device.name.empty(), "--device");
     refuse(!command.device.shaders.empty(), "--shaders");
     refuse(command.device.validation, "--validation");
+    refuse(command.device.timeout.has_value(), "--device-timeout");
     refuse(!command.checkpoint.empty(), "--checkpoint");
     refuse(command.profile, "--profile");
     refuse(!command.savePhotons.empty(), "--save-photons");

@@ -9,6 +9,7 @@ import signal
 import subprocess
 import threading
 import time
+import urllib.parse
 
 # Small enough to be refined within a second, large enough for a first look at less.
 SIDE = 144
@@ -38,6 +39,9 @@ class LiveServer:
         assert self.first_line.wait(60), "no address was printed"
         self.url = re.search(r"http://\S+", self.lines[0])[0]
         self.port = int(re.search(r":(\d+)/", self.url)[1])
+        self.host = urllib.parse.urlsplit(self.url).hostname
+        if self.host == "0.0.0.0":
+            self.host = "127.0.0.1"
 
     def _read(self):
         for line in self.process.stdout:
@@ -57,9 +61,9 @@ class LiveServer:
             complaints = [line for line in self.lines if "VUID" in line or "validation" in line.lower()]
             assert not complaints, complaints[:5]
 
-    def request(self, method, path, body=None, headers=None, host="127.0.0.1"):
+    def request(self, method, path, body=None, headers=None, host=None):
         """Status and content of an answer."""
-        connection = http.client.HTTPConnection(host, self.port, timeout=60)
+        connection = http.client.HTTPConnection(host or self.host, self.port, timeout=60)
         given = {"Content-Type": "application/json"} if body is not None else {}
         try:
             connection.request(method, path, body if body is None else json.dumps(body), {**given, **(headers or {})})
@@ -72,7 +76,7 @@ class LiveServer:
         return json.loads(self.request("GET", f"/api/state?seen={seen}")[1])
 
     def wait_for(self, condition, patience=60):
-        """The first state that the condition holds for."""
+        """The first state that meets the condition."""
         end = time.monotonic() + patience
         state = self.state()
         while not condition(state):

@@ -1,5 +1,6 @@
 """`hyalite live`, its page opened in a browser and its server asked without one: PROGRAM SOURCE [SCREENSHOTS]."""
 
+import http.client
 import json
 import pathlib
 import struct
@@ -271,6 +272,43 @@ class Failures(Live):
         replace(path, "args.scale", "0.5 * args.scale")
         self.server.wait_for(lambda s: s["reload_seconds"] > 0 and s["picture"]["id"] > before)
         self.assertLess(time.monotonic() - start, 5)
+
+
+class DeviceTimeout(Live):
+    """The worker ends by itself when the device takes too long; --limit would stop it only after the test."""
+    options = ("--limit", "1000", "--device-timeout", "3")
+
+    def test_a_kernel_that_exceeds_the_device_timeout_is_named(self):
+        self.server.wait_for_picture(passes=PASSES)
+        loop = "    while (args.shadowRays.at[i].tMax >= 0.0) {\n        args.shadowRays.at[i].tMax += 1.0;\n    }\n"
+        path = self.shader("kernels/sample_lights.comp")
+        replace(path, "    args.shadowRays.at[i].tMax = 0.0;\n", "    args.shadowRays.at[i].tMax = 0.0;\n" + loop)
+        state = self.server.wait_for(lambda s: any(e["source"] == "worker" for e in s["errors"]))
+        said = next(e for e in state["errors"] if e["source"] == "worker")
+        self.assertEqual(said["kernel"], "sample_lights")
+        self.assertIn("--device-timeout", said["message"])
+
+
+class Polls(Live):
+    def test_more_pages_than_threads_leave_the_server_an_answer_for_others(self):
+        state = self.server.wait_for(lambda s: not s["busy"])
+        # Requests that wait for news, of which there is none: more than the server's 24 threads
+        pages = [http.client.HTTPConnection("127.0.0.1", self.server.port, timeout=60) for _ in range(40)]
+        for page in pages:
+            self.addCleanup(page.close)
+            page.request("GET", f"/api/state?seen={state['version']}")
+        start = time.monotonic()
+        self.assertEqual(self.server.request("GET", "/")[0], 200)
+        self.assertLess(time.monotonic() - start, 10)  # a request for the state waits 20 s
+
+
+class Ipv6(Live):
+    options = ("--host", "[::1]")
+
+    def test_the_printed_address_has_brackets_and_can_be_opened(self):
+        self.assertEqual(self.server.url, f"http://[::1]:{self.server.port}/")
+        self.assertEqual(self.server.request("GET", "/", host="::1")[0], 200)
+        self.assertEqual(self.server.request("GET", "/", host="::1", headers={"Host": "evil.example"})[0], 403)
 
 
 class Security(Live):

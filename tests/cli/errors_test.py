@@ -111,6 +111,7 @@ class Usage(Refusals):
             "max depth 256": (render("--max-depth", "256"), "--max-depth", "256"),
             "unknown integrator": (render("--integrator", "pmm"), "--integrator", "did you mean 'ppm'?"),
             "unknown backend": (render("--backend", "cuda"), "--backend", "cuda", "vulkan", "reference"),
+            "timeout of no device": (render("--backend", "reference", "--device-timeout", "5"), "--backend reference", "--device-timeout"),
             "set without =": (render("--set", "render.seed"), "--set", "render.seed", "key=value"),
             "set unknown key": (render("--set", "render.fotons=1"), "--set", "'fotons'", "'photons'"),
             "set unknown group": (render("--set", "rendr.seed=1"), "--set", "'rendr.seed'", "'render'"),

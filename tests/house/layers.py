@@ -7,6 +7,7 @@ RULE = (
     "base <- image <- scene <- geometry <- {gpu, reference} <- kinds <- {scene/load, describe} <- render <- {parity, bench} <- live <- cli; "
     "Vulkan only under host/gpu; host/scene is model <- import <- yaml, and load stands above kinds; "
     "host/render is upload <- wavefront <- film <- photons <- integrators <- debug, then the renderer; "
+    "host/live is messages <- {page, worker} <- supervisor <- server; "
     "of shaders/ the reference takes only shared/{random,limits,language}.h"
 )
 
@@ -30,6 +31,7 @@ MAIN = 11  # host/main.cpp
 # Within a folder, likewise; what lies in the folder itself stands above its rooms.
 ROOMS = {
     "scene": {"model": 0, "import": 1, "yaml": 2},
+    "live": {"messages": 0, "page": 1, "worker": 1, "supervisor": 2, "server": 3},
     "render": {"upload": 0, "wavefront": 1, "film": 2, "photons": 3, "integrators": 4, "debug": 5},
 }
 ABOVE = 100

@@ -1,5 +1,4 @@
-// How the camera of `hyalite live` is turned, moved and brought nearer: by pointer, wheel and keys. Loaded after live.js, whose
-// `camera` is as the user has it.
+// Turns and moves the camera of `hyalite live` by pointer, wheel and keys. Loaded after live.js, which has the `camera`.
 "use strict";
 
 const add = (a, b, s = 1) => a.map((x, i) => x + s * b[i]);
@@ -31,14 +30,14 @@ function orbit(dx, dy) { // radians
   camera.position = add(camera.look_at, arm);
   sendCamera();
 }
-function pan(dx, dy) { // shares of the picture's height
+function pan(dx, dy) { // fractions of the picture's height
   if (!camera) { return; }
   const arm = sub(camera.position, camera.look_at);
   const height = 2 * length(arm) * Math.tan(camera.fov * Math.PI / 360);
   const right = unit(cross(camera.up, arm));
-  const way = add(times(right, -dx * height), unit(cross(arm, right)), dy * height);
-  camera.position = add(camera.position, way);
-  camera.look_at = add(camera.look_at, way);
+  const shift = add(times(right, -dx * height), unit(cross(arm, right)), dy * height);
+  camera.position = add(camera.position, shift);
+  camera.look_at = add(camera.look_at, shift);
   sendCamera();
 }
 function zoom(factor) {

@@ -1,8 +1,8 @@
-// The text of a shader or a scene: CodeMirror where the program was built with it, else a plain text field.
+// Edits a shader or a scene file: in CodeMirror when the program was built with it, else in a plain text field.
 "use strict";
 
 function makeEditor(parent, onChange, onSave) {
-  let quiet = false; // while the text is set by the page
+  let quiet = false; // while the page, not the user, sets the text
   if (typeof CodeMirror === "undefined") {
     const area = document.createElement("textarea");
     area.className = "plain";

@@ -1,17 +1,17 @@
-// The page of `hyalite live`: asks for the state whenever there is news (/api/state), for pixels when the picture is
-// another, and says what is wanted (/api/change).
+// The page of `hyalite live`. Asks for the state, which the server answers when it changes (/api/state), for pixels when
+// there is a new picture (/api/picture), and sends what the user changes (/api/change).
 "use strict";
 
 const $ = (id) => document.getElementById(id);
 const VIEWS = [["picture", "picture"], ["normals", "normals"], ["depth", "depth"], ["bounces", "bounces"], ["photons", "photons"],
   ["radius", "radius of estimates"], ["global_map", "global map"], ["caustic_map", "caustic map"]];
-const QUANTITIES = new Set(["depth", "bounces", "radius"]); // no light: scaled to their 99th percentile
+const QUANTITIES = new Set(["depth", "bounces", "radius"]); // not light: scaled to their 99th percentile
 // SETTINGS, a list of [key, label, kind, integrators that read it (none: all)], comes from settings.js.
 
 let state = null;      // the last /api/state
-let camera = null;     // as the user has it, ahead of the server
-let sentRevision = -1; // state.revision up to which the server's camera is older than ours
-let selected = null;   // [x, y] of the pixel clicked last
+let camera = null;     // the user's, ahead of the server's
+let sentRevision = -1; // state.revision up to which the server's camera is older than the user's
+let selected = null;   // [x, y] of the last clicked pixel
 
 async function ask(path, body) {
   const options = body === undefined ? {}
@@ -24,7 +24,7 @@ async function ask(path, body) {
   return response;
 }
 
-// ---- changes: one under way at a time, those meanwhile in one -----------------------------------------------------------
+// ---- changes: sent one at a time; those made meanwhile are merged into one ----------------------------------------------
 let pending = null, sending = false;
 async function change(wanted) {
   pending = { ...pending, ...wanted, settings: { ...(pending || {}).settings, ...wanted.settings } };
@@ -66,12 +66,12 @@ async function draw() {
     canvas.dataset.passes = about.passes;
     canvas.style.imageRendering = about.preview ? "auto" : "pixelated";
     fit();
-  } catch (error) { /* the next state brings another */ }
+  } catch (error) { /* the next state brings another picture */ }
   drawing = false;
   if (drawAgain) { drawAgain = false; draw(); }
 }
 
-// As large as the stage allows, in the proportions of the whole picture.
+// Scales the picture to the stage, in the proportions of the full-size picture.
 function fit() {
   if (!state || !state.scene.camera) { return; }
   const [w, h] = state.scene.camera.resolution;
@@ -148,7 +148,7 @@ $("copy-camera").addEventListener("click", async () => {
     `resolution: [${state.scene.camera.resolution.join(", ")}]}`;
   $("camera-yaml").textContent = yaml;
   $("camera-yaml").hidden = false;
-  try { await navigator.clipboard.writeText(yaml); } catch (error) { /* it stands there to be copied */ }
+  try { await navigator.clipboard.writeText(yaml); } catch (error) { /* the text is shown, to be copied by hand */ }
 });
 
 // ---- tabs ---------------------------------------------------------------------------------------------------------------
@@ -170,7 +170,7 @@ for (const [id, name] of TABS) {
   $("tabs").append(button);
 }
 
-// ---- what there is to read ----------------------------------------------------------------------------------------------
+// ---- errors, stages, status ---------------------------------------------------------------------------------------------
 function element(tag, text, className) {
   const made = document.createElement(tag);
   if (text !== undefined) { made.textContent = text; }
@@ -178,7 +178,7 @@ function element(tag, text, className) {
   return made;
 }
 
-// A mistake in a file that several kernels include is one mistake.
+// An error in a file that several kernels include is shown once.
 function merged(errors) {
   const found = new Map();
   for (const error of errors) {
@@ -278,10 +278,10 @@ const three = (v) => v.map((x) => Number(x.toPrecision(7))).join(" ");
 function vertexCard(depth, device, twin, path) {
   const card = element("div", undefined, "vertex" + (depth === path.differs_at ? " differs" : ""));
   card.append(element("h3", `Vertex ${depth}` + (depth === path.differs_at
-    ? `: the sides part here, first in ${path.what}: ${path.cause || "nothing explains it"}` : "")));
+    ? `: device and reference first differ here, in ${path.what}: ${path.cause || "no known cause"}` : "")));
   const table = element("table");
   const head = element("tr");
-  for (const name of ["", "device", "twin"]) { head.append(element("th", name)); }
+  for (const name of ["", "device", "reference"]) { head.append(element("th", name)); }
   table.append(head);
   const rows = [["hits", (v) => v.hit ? `object ${v.object}, ${v.material || "no material"}, ${v.side}` : "nothing"],
     ["position", (v) => v.position ? three(v.position) : ""], ["normal", (v) => v.normal ? three(v.normal) : ""],
@@ -304,7 +304,7 @@ async function inspect(event) {
   selected = [x, y];
   fit();
   openTab("path");
-  $("path-title").textContent = `Path of pixel ${x}, ${y}: on its way …`;
+  $("path-title").textContent = `Path of pixel ${x}, ${y}: waiting for it …`;
   $("path").replaceChildren();
   ask("api/change", { pixel: y * w + x }).catch(() => {});
   try {
@@ -312,7 +312,7 @@ async function inspect(event) {
     if (answer.error) { throw new Error(answer.error); }
     const path = answer.path;
     $("path-title").textContent = `Path of pixel ${x}, ${y} in the first pass: ` +
-      (path.differs_at ? `the sides part at vertex ${path.differs_at}` : "both sides agree vertex by vertex");
+      (path.differs_at ? `device and reference first differ at vertex ${path.differs_at}` : "device and reference agree vertex by vertex");
     const cards = path.twin.map((twin) => vertexCard(twin.depth,
       path.device.find((v) => v.depth === twin.depth && v.seed === twin.seed), twin, path));
     for (const device of path.device) {
@@ -346,14 +346,14 @@ async function listFiles() {
 async function openFile(name, line) {
   wantedName = name;
   if (openName !== name) {
-    if (isDirty && !confirm(`Leave ${openName} without saving?`)) {
+    if (isDirty && !confirm(`Discard the changes to ${openName}?`)) {
       wantedName = openName;
       $("file").value = openName;
       return;
     }
     try {
       const { text } = await (await ask("api/file?name=" + encodeURIComponent(name))).json();
-      if (wantedName !== name) { return; } // another was asked for meanwhile
+      if (wantedName !== name) { return; } // the user has opened another file meanwhile
       editor.open(text, name);
     } catch (error) { $("file-state").textContent = error.message; return; }
     openName = name;
@@ -387,19 +387,33 @@ $("save").addEventListener("click", save);
 $("file").addEventListener("change", () => openFile($("file").value, 0));
 addEventListener("beforeunload", (event) => { if (isDirty) { event.preventDefault(); } });
 
-// ---- news ---------------------------------------------------------------------------------------------------------------
+// ---- the server's state -------------------------------------------------------------------------------------------------
+const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+
+// A page that is not visible does not ask: browsers open few connections to a server, for all tabs together.
+async function untilVisible() {
+  while (document.hidden) {
+    await new Promise((resolve) => document.addEventListener("visibilitychange", resolve, { once: true }));
+  }
+}
+
 async function listen() {
   let seen = 0, drawn = null;
   while (true) {
+    await untilVisible();
     try {
+      const asked = performance.now();
       state = await (await ask("api/state?seen=" + seen)).json();
-      if (state.closing) { throw new Error("closed"); }
+      state.scene = state.scene || {}; // none is loaded yet
+      if (state.closing) { throw new Error("it has ended"); }
+      // Answered at once without news: too many pages wait already
+      if (state.version === seen && performance.now() - asked < 1000) { await pause(1000); }
       seen = state.version;
       show();
       if (state.picture && state.picture.id !== drawn) { drawn = state.picture.id; draw(); }
     } catch (error) {
       $("status").textContent = "hyalite live does not answer: " + error.message;
-      await new Promise((resolve) => setTimeout(resolve, 1000));
+      await pause(1000);
       seen = 0;
     }
   }
