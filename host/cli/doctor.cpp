@@ -4,6 +4,7 @@
 #include "cli/shader_folder.h"
 #include "gpu/lavapipe.h"
 #include "gpu/self_test.h"
+#include "gpu/shader_compiler.h"
 #include "live/server/live_server.h"
 
 #include <CLI/CLI.hpp>
