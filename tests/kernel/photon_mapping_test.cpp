@@ -9,7 +9,7 @@
 #include "render/photons/photon_paths.h"
 #include "render/photons/photon_slots.h"
 #include "render/photons/shadow_photons.h"
-#include "render/upload/scene_identity.h"
+#include "render/film/scene_identity.h"
 
 #include <algorithm>
 #include <array>
