@@ -5,11 +5,11 @@
 #include "reference/photons/photons.h"
 #include "reference/photons/projection_map.h"
 #include "reference/photons/shadow_photons.h"
+#include "render/film/scene_identity.h"
 #include "render/photons/photon_maps.h"
 #include "render/photons/photon_paths.h"
 #include "render/photons/photon_slots.h"
 #include "render/photons/shadow_photons.h"
-#include "render/film/scene_identity.h"
 
 #include <algorithm>
 #include <array>
