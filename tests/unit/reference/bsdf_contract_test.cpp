@@ -1,6 +1,7 @@
 // What every model of shaders/shared/materials.h promises: densities forth and back, reciprocity, samples that weigh f
 // cos / pdf, flags that say what it does.
 #include "reference/bsdf/bsdf.h"
+#include "scene/model/code_twin.h"
 #include "unit/reference/support.h"
 
 #include <cmath>
@@ -10,6 +11,7 @@
 using namespace hyalite;
 using namespace hyalite::reference;
 using namespace hyalite::reference::test;
+using glm::dvec4;
 
 namespace {
 
@@ -23,10 +25,17 @@ struct Modelled {
     MaterialModel model;
 };
 
-// The model of the oil film in scenes/experiments, as its GLSL names it.
-MaterialModel oilFilm(double roughness) {
-    const auto code = std::make_shared<const CustomCode>(CustomCode{.function = "oil", .file = {}, .text = {}});
-    return CustomReflectance{.code = code, .parameters = {500, 1.4, 0.3, 0}, .roughness = roughness};
+// A film by a function of the scene's own, whose twin this is: Schlick's approximation of three colours.
+dvec3 film(double cosine, const dvec4& parameters) {
+    return dvec3(parameters) + (1.0 - dvec3(parameters)) * std::pow(1 - cosine, 5);
+}
+
+MaterialModel filmOf(double roughness) {
+    CustomCode code{.function = "film", .file = {}, .text = {}};
+    code.twin = std::make_shared<const CodeTwin>(CodeTwin{.reflectance = film});
+    return CustomReflectance{.code = std::make_shared<const CustomCode>(std::move(code)),
+                             .parameters = {0.1, 0.4, 0.7, 0},
+                             .roughness = roughness};
 }
 
 MaterialModel coated(const MetallicRoughness& base, double roughness, double ior, double coat = 1) {
@@ -50,7 +59,7 @@ const std::vector<Modelled>& models() {
         {"lacquer", MetallicRoughness{{0.8, 0.5, 0.2}, 0, 0}},
         {"matt lacquer", MetallicRoughness{{0.8, 0.5, 0.2}, 0.4, 0.6}},
         {"rough gold", MetallicRoughness{{0.9, 0.7, 0.3}, 1, 0.7}},
-        {"oil film", oilFilm(0.5)},
+        {"film", filmOf(0.5)},
         {"car paint", coated({{0.8, 0.1, 0.1}, 0.5, 0.6}, 0, 1.5)},
         {"worn car paint", coated({{0.8, 0.1, 0.1}, 0.5, 0.6}, 0.4, 1.5, 0.7)},
         {"varnished gold", coated({{0.9, 0.7, 0.3}, 1, 0.7}, 0.5, 1.8)},
