@@ -222,8 +222,12 @@ std::vector<shared::Hit> traceAll(BothSides& both, const std::vector<shared::Ray
     const auto count = static_cast<std::uint32_t>(rays.size());
     const auto deviceRays = both.upload(rays);
     const auto hits = both.room<shared::Hit>(count);
-    both.run("trace_closest", shared::TraceClosestArguments{deviceRays, hits, count, both.deviceScene.rootNode, 0},
-             count);
+    shared::TraceClosestArguments arguments{};
+    arguments.rays = deviceRays;
+    arguments.hits = hits;
+    arguments.count = count;
+    arguments.rootNode = both.deviceScene.rootNode;
+    both.run("trace_closest", arguments, count);
     return hits.read();
 }
 

@@ -3,6 +3,7 @@
 #include "kernel/kernel_support.h"
 #include "render/photons/photon_paths.h"
 #include "render/renderer.h"
+#include "scene/model/integrators.h"
 
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/generators/catch_generators_range.hpp>
@@ -30,18 +31,17 @@ render::RenderResult renderWatched(const Scene& scene, Watcher* watcher,
     return render::render(context, Gpu::shared().compiler(), scene, options);
 }
 
-Scene smallBox(Integrator integrator) {
+Scene smallBox(std::string_view integrator) {
     Scene scene = roughBox();
     scene.camera.resolution = {24, 16};
-    scene.render.integrator = integrator;
+    scene.render.integrator = std::string(integrator);
     scene.render.passes = 3;
     scene.render.photons = 3000;
-    scene.render.maxDepth = integrator == Integrator::Whitted ? 4 : 20; // more bounces than are recorded at once
+    scene.render.maxDepth =
+        integratorNamed(integrator).cameraPaths.followsAllWays ? 4 : 20; // more bounces than are recorded at once
     scene.render.photonMap.causticPhotons = 2000;
     return scene;
 }
-
-const std::array kIntegrators{Integrator::Ppm, Integrator::PhotonMap, Integrator::Path, Integrator::Whitted};
 
 std::vector<std::uint64_t> numbersOf(const render::Counts& counts) {
     std::vector<std::uint64_t> numbers;
@@ -54,14 +54,14 @@ std::vector<std::uint64_t> numbersOf(const render::Counts& counts) {
 } // namespace
 
 TEST_CASE("queues on the device give the picture and the counts of a host that looks at every bounce") {
-    const Scene scene = smallBox(kIntegrators.at(GENERATE(range(0U, 4U))));
+    const Scene scene = smallBox(kIntegratorNames.at(GENERATE(range(std::size_t{0}, kIntegratorNames.size()))));
     CAPTURE(scene.render.integrator);
     Watcher watcher;
     const render::RenderResult watched = renderWatched(scene, &watcher);
     const render::RenderResult free = renderWatched(scene, nullptr);
     CHECK(free.image.picture.pixels == watched.image.picture.pixels);
     CHECK(numbersOf(free.counts) == numbersOf(watched.counts));
-    if (scene.render.integrator != Integrator::Whitted) {
+    if (scene.render.integrator != "whitted") {
         // Each thread of shade_surface is a camera ray, each of the kernels at photons' hits a photon ray
         CHECK(free.counts[render::Counter::CameraRays] == watcher.threads["shade_surface"]);
         CHECK(free.counts[render::Counter::PhotonRays] <=
@@ -73,7 +73,7 @@ TEST_CASE("memory that the host does not see gives the same pictures and counts"
     gpu::ContextOptions options;
     options.staged = true;
     const gpu::Context staged(options);
-    const Scene scene = smallBox(kIntegrators.at(GENERATE(range(0U, 4U))));
+    const Scene scene = smallBox(kIntegratorNames.at(GENERATE(range(std::size_t{0}, kIntegratorNames.size()))));
     CAPTURE(scene.render.integrator);
     const render::RenderResult expected = renderWatched(scene, nullptr);
     const render::RenderResult result = renderWatched(scene, nullptr, staged);
@@ -113,7 +113,7 @@ TEST_CASE("photons that need more slots than those before are followed again, an
 TEST_CASE("a tree of rays that outgrows those of the passes before is traced again, and counted once") {
     // One pixel whose rays meet a small glass ball or pass beside it: in some passes, the tree has one ray, in others
     // many
-    Scene scene = reference::test::onePixel({0, 0, 3}, {0, 0, 0}, Integrator::Whitted);
+    Scene scene = reference::test::onePixel({0, 0, 3}, {0, 0, 0}, "whitted");
     scene.camera.fov = 40; // the pixel shows 2.2 m at the ball's distance
     scene.render.maxDepth = 5;
     reference::test::addMaterial(scene, Dielectric{1.5});
@@ -132,7 +132,7 @@ TEST_CASE("a tree of rays that outgrows those of the passes before is traced aga
 
 TEST_CASE("a shadow ray is counted where light may come from, and nowhere else") {
     // A plane that faces the camera and fills half of the picture: of 16 x 16 pixels, 8 rows. The rest shows nothing.
-    const auto shadowRays = [](Integrator integrator, const dvec3& light) {
+    const auto shadowRays = [](std::string_view integrator, const dvec3& light) {
         Scene scene = reference::test::onePixel({0, 0, 2}, {0, 0, 0}, integrator);
         scene.camera.resolution = {16, 16};
         scene.camera.fov = 60;
@@ -145,7 +145,7 @@ TEST_CASE("a shadow ray is counted where light may come from, and nowhere else")
         scene.lights = {{light, {1, 1, 1}}};
         return renderWatched(scene, nullptr).counts[render::Counter::ShadowRays];
     };
-    const Integrator integrator = kIntegrators.at(GENERATE(range(0U, 4U)));
+    const std::string_view integrator = kIntegratorNames.at(GENERATE(range(std::size_t{0}, kIntegratorNames.size())));
     CAPTURE(integrator);
     // No jitter crosses a row's edge, and y = 0 is the edge between rows 7 and 8
     CHECK(shadowRays(integrator, {0, -1, 3}) == 16 * 8);

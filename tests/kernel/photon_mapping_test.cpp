@@ -10,6 +10,7 @@
 #include "render/photons/photon_paths.h"
 #include "render/photons/photon_slots.h"
 #include "render/photons/shadow_photons.h"
+#include "render/wavefront/device_counter.h"
 
 #include <algorithm>
 #include <array>
@@ -81,16 +82,17 @@ public:
 
 TEST_CASE("the identity of photons knows every kernel that traces them") {
     Scene scene = litBox();
-    scene.render.integrator = Integrator::PhotonMap;
+    scene.render.integrator = "photonmap";
     scene.render.photons = 200;
     scene.render.photonMap.causticPhotons = 200;
     scene.render.photonMap.shadowPhotons = 2;
     BothSides both(scene);
     render::PhotonMaps maps(both.device, both.scene, both.deviceScene);
     NamesOfKernels traced;
-    both.device.commands.observe(&traced);
-    maps.trace();
-    both.device.commands.observe(nullptr);
+    {
+        const gpu::Observation observation = both.device.commands.observe(traced);
+        maps.trace();
+    }
     CHECK(traced.names.size() > 4);
     for (const std::string& name : traced.names) {
         INFO(name);

@@ -65,7 +65,10 @@ TEST_CASE("a dispatch was for as many elements as the host said, or as the devic
     const Gpu& gpu = Gpu::shared();
     render::Device device(gpu.context(), gpu.compiler(), false);
     const gpu::Array<shared::uint> counted(gpu.context(), std::vector<shared::uint>{7, 9}, "counted");
-    const shared::ScanGroupArguments arguments{counted, counted, 2};
+    shared::ScanGroupArguments arguments{};
+    arguments.values = counted;
+    arguments.sums = counted;
+    arguments.count = 2;
     const gpu::Kernel kernel = device.kernel("scan_group");
     const parity::Observed seen(gpu.context(), device.tables,
                                 {kernel, std::as_bytes(std::span(&arguments, 1)), shared::kGroupSize});

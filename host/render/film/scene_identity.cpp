@@ -68,8 +68,8 @@ RenderIdentity identify(const Scene& scene, const DeviceScene& deviceScene, cons
 
 std::span<const std::string_view> kernelsOfPhotons() {
     static constexpr std::array<std::string_view, 9> kKernels{
-        "emit_photons", "emit_caustic_photons", "trace_closest", "scatter_photon",      "cast_shadow_photons",
-        "scan_group",   "sum_chunks",           "scan_chunks",   "compact_photon_paths"};
+        "emit_photons", "emit_caustic_photons", "trace_closest", "scatter_photon", "cast_shadow_photons",
+        "scan_group",   "sum_chunks",           "scan_chunks",   "compact_paths"};
     return kKernels;
 }
 

@@ -52,6 +52,6 @@ TEST_CASE("the schema's depths are those of the integrators") {
     for (const char* integrator : {"ppm", "photonmap", "path"}) {
         CHECK(render.at("else").at("properties").at("max_depth").at("minimum") ==
               depthRange(integratorNamed(integrator)).low);
-        CHECK(render.at("properties").at("max_depth").at("maximum") == depthRange(integrator).high);
+        CHECK(render.at("properties").at("max_depth").at("maximum") == depthRange(integratorNamed(integrator)).high);
     }
 }

@@ -132,7 +132,7 @@ void main() {
 
 TEST_CASE("as many threads run as stand on the device when the dispatch begins", "[commands]") {
     const Kernel kernel = liveKernel();
-    const Gpu& device = Gpu::shared();
+    Gpu& device = Gpu::shared();
     // None, a part of a group, all there may be; two rows of groups; more than a GPU is given at once
     for (const auto& [count, most] :
          {std::pair{0U, 100U}, {65U, 100U}, {100U, 100U}, {2'100'000U, 3'000'000U}, {8'500'000U, 9'000'000U}}) {
@@ -169,7 +169,7 @@ TEST_CASE("an observer sees the number of threads that the device has, and no em
         void after(const gpu::Dispatch& /*dispatch*/) override {}
     };
     const Kernel kernel = liveKernel();
-    const Gpu& device = Gpu::shared();
+    Gpu& device = Gpu::shared();
     const Array<std::uint32_t> values = zeros(1000);
     const std::vector<shared::QueueSize> set{shared::queueSize(0, 0), shared::queueSize(300, 0)};
     const Array<shared::QueueSize> sizes(device.context(), std::span<const shared::QueueSize>(set), "sizes");
