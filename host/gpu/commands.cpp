@@ -460,4 +460,11 @@ const std::map<std::string, StageTime>& Commands::times() const {
     return impl_->times;
 }
 
+FinishAtEnd::~FinishAtEnd() {
+    try {
+        commands_.finish();
+    } catch (const Error&) { // the device is lost; what is rendered next on it says so
+    }
+}
+
 } // namespace hyalite::gpu

@@ -79,4 +79,16 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
+// Finishes what is recorded before the buffers declared above it go away, also where an error ends the scope.
+class FinishAtEnd {
+public:
+    explicit FinishAtEnd(Commands& commands) : commands_(commands) {}
+    FinishAtEnd(const FinishAtEnd&) = delete;
+    FinishAtEnd& operator=(const FinishAtEnd&) = delete;
+    ~FinishAtEnd();
+
+private:
+    Commands& commands_;
+};
+
 } // namespace hyalite::gpu

@@ -56,17 +56,6 @@ private:
     std::optional<Observed> seen_;
 };
 
-// Finishes what is recorded before the buffers that it names go away.
-struct FinishedAtEnd {
-    gpu::Commands& commands;
-    ~FinishedAtEnd() {
-        try {
-            commands.finish();
-        } catch (const Error&) { // the device is lost, and what ends this scope says so
-        }
-    }
-};
-
 } // namespace
 
 InspectionSession::InspectionSession(render::Device& device, const Scene& scene, const render::DeviceScene& deviceScene)
@@ -86,7 +75,7 @@ PathRecorder InspectionSession::record(bool isPhoton, std::uint32_t number, std:
     PathObserver observer(device_, recorder, isPhoton);
     render::Film film(device_, scene.camera.resolution, kind.layers(scene.render));
     const auto integrator = kind.make({.device = device_, .scene = scene, .deviceScene = deviceScene_, .film = film});
-    const FinishedAtEnd finished{device_.commands};
+    const gpu::FinishAtEnd finish(device_.commands);
     const gpu::Observation observation = device_.commands.observe(observer);
     try {
         integrator->prepare();

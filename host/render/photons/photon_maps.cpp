@@ -47,6 +47,7 @@ void PhotonMaps::trace() {
 
 std::vector<shared::Photon> PhotonMaps::traceGlobal() {
     PhotonPaths paths(device_, scene_, deviceScene_, std::min(kPhotonsInFlight, scene_.render.photons));
+    const gpu::FinishAtEnd finish(device_.commands);
     const std::uint32_t slots =
         paths.trace({.sequence = shared::photonSequence(renderSeed(scene_.render), shared::kGlobalPhotons, 0),
                      .count = scene_.render.photons,
@@ -63,6 +64,7 @@ std::vector<shared::Photon> PhotonMaps::traceCaustics() {
         return {};
     }
     PhotonPaths paths(device_, scene_, deviceScene_, std::min(kPhotonsInFlight, settings_.causticPhotons));
+    const gpu::FinishAtEnd finish(device_.commands);
     const std::uint32_t slots =
         paths.trace({.sequence = shared::photonSequence(renderSeed(scene_.render), shared::kCausticPhotons, 0),
                      .count = settings_.causticPhotons,
@@ -78,6 +80,7 @@ std::vector<shared::Photon> PhotonMaps::castShadows() {
         return {};
     }
     ShadowPhotonPaths paths(device_, scene_, deviceScene_, std::min(kPhotonsInFlight, scene_.render.photons));
+    const gpu::FinishAtEnd finish(device_.commands);
     const std::uint32_t slots = paths.cast(scene_.render.photons);
     device_.commands.finish();
     raysTraced_ += paths.raysTraced();
@@ -112,6 +115,7 @@ gpu::Array<shared::Photon> PhotonMaps::computeIrradiance(const gpu::Array<shared
     const gpu::Array<glm::vec3> irradiance(device_.context, count, "irradiance");
     const gpu::Array<float> radii(device_.context, count, "radii of estimates");
     gpu::Array<shared::Photon> records(device_.context, count, "records of irradiance");
+    const gpu::FinishAtEnd finish(device_.commands);
     const gpu::Kernel beginIrradiance = device_.kernel("begin_irradiance");
     const gpu::Kernel storeIrradiance = device_.kernel("store_irradiance");
     device_.commands.run(beginIrradiance,

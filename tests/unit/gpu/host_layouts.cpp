@@ -28,8 +28,8 @@ using namespace hyalite::shared; // the names below are the kernels'
 std::map<std::string, HostLayout> hostLayouts() {
     std::map<std::string, HostLayout> layouts;
     HOST_LAYOUT(CameraRecord, position, forward, right, up, width, height, lensRadius, focusDistance);
-    HOST_LAYOUT(MaterialRecord, type, color, eta, k, absorption, ior, roughness, metallic, parameters, function,
-                colorTexture, roughnessTexture);
+    HOST_LAYOUT(MaterialRecord, type, color, eta, k, absorption, ior, roughness, metallic, coat, coatRoughness, coatIor,
+                parameters, function, colorTexture, roughnessTexture);
     HOST_LAYOUT(LightTriangle, corner, edge0, edge1, normal);
     HOST_LAYOUT(LightRecord, type, position, edge0, edge1, normal, radius, distance, cone, error, area, emission, power,
                 pmf, cdf, columns, rows, rotation, cdfs, triangles, texels);

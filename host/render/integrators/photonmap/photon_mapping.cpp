@@ -228,6 +228,7 @@ void PhotonMapping::gatherIndirectLight(std::uint32_t pass) {
 
 void PhotonMapping::drawPhotons() {
     const gpu::Array<shared::uint> splatted(device_.context, std::size_t{4} * film_.pixelCount(), "photons per pixel");
+    const gpu::FinishAtEnd finish(device_.commands);
     device_.commands.clear(splatted.buffer());
     maps_.splat(splatted);
     device_.commands.finish();
