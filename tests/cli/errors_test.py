@@ -90,8 +90,8 @@ class Usage(Refusals):
         })  # fmt: skip
 
     def test_a_value_that_an_option_cannot_take_is_wrong_usage(self):
-        def render(option, value):
-            return ["render", "scene.yaml", option, value]
+        def render(*options):
+            return ["render", "scene.yaml", *options]
 
         self.assert_all_refused(USAGE, {
             "resolution 0x10": (render("--resolution", "0x10"), "--resolution", "0"),
