@@ -107,11 +107,11 @@ class ReportThatPassed(Page):
         paths = self.find_all("#worst details")
         self.assertGreater(len(paths), 0)
         summary = paths[0].find_element(By.CSS_SELECTOR, "summary")
-        self.assertRegex(summary.text, r"parts at vertex \d+, first in \w+: \w+")
+        self.assertRegex(summary.text, r"differs at vertex \d+, first in \w+: \w+")
         summary.click()
         # The table is made by the event `toggle`, which a browser raises some time after the click
         marked = WebDriverWait(self.browser, 30).until(lambda _: paths[0].find_elements(By.CSS_SELECTOR, "tr.differs"))
-        vertex = re.search(r"parts at vertex (\d+)", summary.text)[1]
+        vertex = re.search(r"differs at vertex (\d+)", summary.text)[1]
         self.assertEqual(marked[0].find_element(By.CSS_SELECTOR, "td").text, vertex)
 
     def test_a_narrow_window_needs_no_sideways_scrolling(self):
@@ -130,7 +130,7 @@ class ReportThatFailed(Page):
         fresnel.write_text(text.replace("0.5 * (s * s + p * p)", "s * s"))
         self.assertNotEqual(fresnel.read_text(), text)
         self.open(write_report(self.folder, "--shaders", shaders, exit_code=1))
-        self.assertIn("the sides part first in shade_surface", self.find("#verdict").text)
+        self.assertIn("the sides first differ in shade_surface", self.find("#verdict").text)
         self.assertIn("bad", self.find("#verdict").get_attribute("class"))
         fields = self.find("td.fields")
         self.assertIn("nothing explains it", fields.text)

@@ -1,4 +1,4 @@
-// Shadow rays that shadow photons nearby replace [JensenChristensen95].
+// Shadow rays replaced by nearby shadow photons [JensenChristensen95].
 #include "parity/checks/checks.h"
 
 #include "parity/checks/photon_map_of.h"
@@ -66,7 +66,7 @@ void compareSkipShadowRays(const Stage& stage) {
     const auto contributions = stage.seen.before<glm::vec3>(args.contributions, args.count);
     const auto directBefore = stage.seen.before<glm::vec3>(args.direct, args.count);
     const auto direct = stage.seen.after<glm::vec3>(args.direct, args.count);
-    std::array<std::uint32_t, 2> counted{}; // rays spared, rays left
+    std::array<std::uint32_t, 2> counted{}; // rays saved, rays remaining
     for (std::size_t i = 0; i < args.count; ++i) {
         const bool isRay = raysBefore[i].tMax > 0;
         const bool isLit = (lit[i] >> args.light & 1U) != 0;
