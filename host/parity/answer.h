@@ -1,4 +1,4 @@
-// The answer of one thread of a kernel, or of its twin: a value for each field that it has one for.
+// The result of one thread of a kernel, or of its twin: a value for each field that the thread computes.
 #pragma once
 
 #include "parity/field.h"
@@ -14,8 +14,8 @@ public:
     struct Value {
         const Field* field = nullptr;
         std::uint64_t exact = 0;
-        glm::dvec3 real{0}; // of a number the first
-        double scale = 0;   // that the error is relative to, at least; beside the tolerance's own
+        glm::dvec3 real{0}; // a number uses the first component
+        double scale = 0;   // lower bound on what the error is relative to, in addition to the tolerance's own
     };
 
     void exact(const Field& field, std::uint64_t value) { values_.push_back({&field, value, glm::dvec3(0), 0}); }
@@ -27,13 +27,13 @@ public:
     }
 
     [[nodiscard]] const std::vector<Value>& values() const { return values_; }
-    [[nodiscard]] const Value* find(const Field& field) const; // nullptr: none
+    [[nodiscard]] const Value* find(const Field& field) const; // nullptr: no such value
 
 private:
     std::vector<Value> values_;
 };
 
-// How far the device's value is from the twin's.
+// Difference between the device's value and the twin's.
 struct FieldError {
     double ulp = 0;      // in units in the last place of the scale as a float, the largest over the components
     double relative = 0; // over the scale

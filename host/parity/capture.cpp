@@ -9,7 +9,7 @@ namespace hyalite::parity {
 
 namespace {
 
-// The scene's own code that a kernel runs and that has no twin; nullptr: none.
+// The scene's GLSL code that the kernel runs and that has no twin; nullptr: none.
 const CustomCode* codeWithoutTwin(const Scene& scene, const Check& check) {
     const CustomCode* filter = scene.render.photonMap.customFilter.get();
     if ((check.runs & kRunsFilter) != 0 && filter != nullptr) {

@@ -1,4 +1,4 @@
-// Observes a scene that renders: compares every dispatch with its twin as it happens, and records the paths.
+// Observes a render: compares every dispatch with its twin as it happens, and records the paths.
 #pragma once
 
 #include "parity/comparison.h"
@@ -16,7 +16,7 @@ namespace hyalite::parity {
 
 class Capture final : public gpu::DispatchObserver {
 public:
-    // References are kept. `wanted`: compare these stages alone; empty: all.
+    // Keeps references to its arguments. `wanted`: compares only these stages; empty: all.
     Capture(const gpu::Context& context, const gpu::TexelTables& tables, const Sides& sides,
             std::set<std::string> wanted);
 
@@ -25,7 +25,7 @@ public:
     void before(const gpu::Dispatch& dispatch) override;
     void after(const gpu::Dispatch& dispatch) override;
 
-    // In the order of their first dispatch; percentiles are ready. Ends the capture.
+    // Ends the capture. Returns the stages in the order of their first dispatch, with percentiles ready.
     [[nodiscard]] std::vector<StageResult> finish();
 
 private:
@@ -34,7 +34,7 @@ private:
     const Sides& sides_;
     std::set<std::string> wanted_;
     std::uint64_t dispatches_ = 0;
-    std::optional<Observed> seen_; // the dispatch that runs
+    std::optional<Observed> seen_; // the running dispatch
     PathRecorder recorder_;
     std::map<std::string, Comparison> stages_;
 };

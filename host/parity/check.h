@@ -1,5 +1,6 @@
 // The check of one kernel against the reference, as one descriptor: its twin, the fields compared, the scene's code
-// that it runs, and what the path recorder learns from it. Each file of checks/ defines those of a kernel or a family.
+// that it runs, and what it reports to the path recorder. Each file of checks/ defines the checks of a kernel or a
+// family.
 #pragma once
 
 #include "parity/comparison.h"
@@ -17,24 +18,24 @@ namespace hyalite::parity {
 
 class PathRecorder;
 
-// What a comparison of one dispatch sees and fills. `where` names the dispatch; threads are added to it.
+// Inputs and output of the comparison of one dispatch. `where` names the dispatch; the thread is appended to it.
 struct Stage {
     const Sides& sides;
     const Observed& seen;
     Comparison& comparison;
     std::string where;
 
-    // Compares the element that thread `i` answers for.
-    Outcome compare( // NOLINT(modernize-use-nodiscard): few ask
+    // Compares the element computed by thread `i`.
+    Outcome compare( // NOLINT(modernize-use-nodiscard): few callers need it
         std::size_t i, const Answer& device, const Comparison::Twin& twin,
         const Comparison::Inputs& inputs = [] { return OffenderInputs(); }) const {
         return comparison.compare(where, i, device, twin, inputs);
     }
-    // NOLINTNEXTLINE(modernize-use-nodiscard): likewise
+    // NOLINTNEXTLINE(modernize-use-nodiscard): few callers need it
     Outcome compareExact(std::size_t i, const Answer& device, const Answer& expected) const {
         return comparison.compareExact(where, i, device, expected);
     }
-    // The same of one integer.
+    // The same for one integer.
     void expect(std::size_t i, const Field& field, std::uint64_t device, std::uint64_t expected) const {
         Answer a;
         a.exact(field, device);
@@ -44,22 +45,22 @@ struct Stage {
     }
 };
 
-// Code that a scene brings along and a kernel runs, as bits: without twins of that code the kernel cannot be compared.
+// Kinds of scene code that a kernel runs, as bits: without twins of that code the kernel cannot be compared.
 inline constexpr std::uint32_t kRunsTextures = 1;
 inline constexpr std::uint32_t kRunsReflectances = 2;
 inline constexpr std::uint32_t kRunsFilter = 4;
 
-// What the path recorder learns from a kernel's dispatches.
+// What a kernel's dispatches report to the path recorder.
 struct PathNote {
-    bool ofPhotons = false;                                                   // of photon paths, else of camera paths
+    bool ofPhotons = false;                                                   // photon paths, else camera paths
     bool begins = false;                                                      // the dispatch may begin paths
-    void (*take)(PathRecorder& recorder, const Observed& dispatch) = nullptr; // nullptr: nothing
+    void (*take)(PathRecorder& recorder, const Observed& dispatch) = nullptr; // nullptr: nothing to report
 };
 
 struct Check {
     std::string_view kernel;                        // its name
-    void (*compare)(const Stage& stage) = nullptr;  // what a dispatch wrote with what the twin says of its inputs
-    std::array<std::span<const Field>, 4> fields{}; // of its answers, in the order in which they are compared
+    void (*compare)(const Stage& stage) = nullptr;  // compares a dispatch's output with the twin's for the same inputs
+    std::array<std::span<const Field>, 4> fields{}; // compared fields, in order
     std::uint32_t runs = 0;                         // kRuns… above
     PathNote paths{};
 
@@ -71,7 +72,7 @@ struct Check {
     }
 };
 
-// For records that are copied, not computed.
+// Bitwise equality, for records that are copied, not computed.
 template <class T>
 [[nodiscard]] bool sameBits(const T& a, const T& b) {
     return std::ranges::equal(std::as_bytes(std::span(&a, 1)), std::as_bytes(std::span(&b, 1)));

@@ -66,7 +66,8 @@ void FieldResult::addError(const FieldError& error) {
     largestUlp = std::max(largestUlp, error.ulp);
     largestRelative = std::max(largestRelative, error.relative);
     ++histogram.at(binOf(error.relative));
-    // The n-th takes the place of an earlier one with probability kUlpsKept / n: each is kept as likely as any other
+    // Reservoir sampling: the n-th replaces an earlier one with probability kUlpsKept / n, so all are equally likely to
+    // be kept
     const std::uint64_t n = matched + failed;
     const std::uint64_t place = shared::hash(static_cast<std::uint32_t>(n)) % std::max<std::uint64_t>(n, 1);
     if (ulps.size() < kUlpsKept) {
@@ -164,7 +165,7 @@ bool Comparison::isExplained(const Answer& device, const Twin& twin, std::uint32
     return anyAgrees;
 }
 
-// Fields behind an exact one that differs say nothing: the two sides went different ways.
+// Fields after an exact one that differs say nothing: the two sides took different branches.
 void Comparison::count(const Answer& device, const Answer& twin, const FieldResult* different, bool explained) {
     for (FieldResult& result : result_.fields) {
         const Field& field = *result.field;
@@ -193,9 +194,9 @@ void Comparison::count(const Answer& device, const Answer& twin, const FieldResu
     }
 }
 
-// `tell` fills in the rest of what is kept.
+// `tell` fills in the remaining members of the offender.
 void Comparison::keep(FieldResult& field, Offender offender, const std::function<void(Offender&)>& tell) {
-    // What nothing explains comes before what something does
+    // Unexplained offenders come before explained ones
     const auto isWorse = [](const Offender& a, const Offender& b) {
         return std::pair(a.cause.empty(), a.error) > std::pair(b.cause.empty(), b.error);
     };
@@ -220,7 +221,7 @@ Outcome Comparison::compare(const std::string& dispatch, std::size_t i, const An
         count(device, exact, nullptr, false);
         return Outcome::Matched;
     }
-    // Where a stage has failed already, the verdict stands: there is no need to look far
+    // A stage that has already failed stays failed: no need for an extensive search
     const bool isLost = result_.failed >= kFailuresExplained;
     const bool explained = isExplained(device, twin, kNudges) || (!isLost && isExplained(device, twin, kMoreNudges));
     return conclude(dispatch, i, device, exact, *different, explained, inputs);

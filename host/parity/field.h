@@ -1,4 +1,4 @@
-// The fields that a kernel's check compares, each declared once: its name, how far both sides may differ, and why.
+// The fields that a kernel's check compares, each declared once: its name, how far the two sides may differ, and why.
 #pragma once
 
 #include "parity/tolerances.h"
@@ -14,23 +14,23 @@ enum class Measure {
     Exact,     // integers, indices, decisions: equal or not
     Number,    // |a - b|
     Vector,    // |a - b|, of points and colours
-    Direction, // the same of unit vectors: for small differences the angle between them [rad]
+    Direction, // the same for unit vectors: for small differences, the angle between them [rad]
 };
 
-// What an error is relative to, at least.
+// Lower bound on what an error is relative to.
 enum class Scale {
     Value, // the twin's own value: its largest component
     One,   // 1
     Scene, // the largest coordinate of the scene and the camera [m]
 };
 
-// Known by its address: answers name it by reference, so that no name can be mistyped.
+// Identified by its address: answers refer to it by reference, so that no name can be mistyped.
 struct Field {
     std::string_view name;
     Measure measure = Measure::Exact;
     const Tolerance* tolerance = nullptr;
     Scale scale = Scale::Value; // of errors
-    std::string_view nearby;    // what a difference is called that an input a few roundings away explains
+    std::string_view nearby;    // name of the cause if an input a few roundings away explains the difference
 };
 
 // Fields in the order in which they are compared, exact ones first. A check's fields derive from this and declare each

@@ -1,4 +1,4 @@
-// What the twin answered about all inputs nearby that led to the same decisions.
+// Bounding box of the twin's results over all nearby inputs that led to the same decisions.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -13,7 +13,7 @@ public:
         high_ = glm::max(high_, v);
     }
     [[nodiscard]] const glm::dvec3& high() const { return high_; }
-    // As far again beyond its ends, and by the tolerance.
+    // Tests the box widened on each side by its own extent and the tolerance.
     [[nodiscard]] bool holds(const glm::dvec3& v, double tolerance) const {
         const glm::dvec3 margin = (high_ - low_) + glm::dvec3(tolerance);
         return glm::all(glm::greaterThanEqual(v, low_ - margin)) && glm::all(glm::lessThanEqual(v, high_ + margin));

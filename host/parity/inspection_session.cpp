@@ -15,10 +15,10 @@ namespace hyalite::parity {
 
 namespace {
 
-// Thrown out of a pass whose paths of the kind sought have all been seen.
-struct Enough {};
+// Thrown to end a pass once all paths of the requested kind have been recorded.
+struct EndOfPass {};
 
-// Records paths of one kind, of one pixel or photon; copies the buffers of those dispatches alone that show them.
+// Records the paths of one pixel or photon, of one kind; copies buffers only for the dispatches that report on them.
 class PathObserver final : public gpu::DispatchObserver {
 public:
     PathObserver(const render::Device& device, PathRecorder& recorder, bool isPhoton)
@@ -32,7 +32,7 @@ public:
         const PathNote& note = check->paths;
         const bool isSought = note.ofPhotons == isPhoton_;
         if (!isSought && note.begins && hasBegun_) {
-            throw Enough();
+            throw EndOfPass();
         }
         if (isSought) {
             hasBegun_ = hasBegun_ || note.begins;
@@ -52,7 +52,7 @@ private:
     PathRecorder& recorder_;
     bool isPhoton_;
     bool hasBegun_ = false;
-    const PathNote* note_ = nullptr; // of the dispatch that runs
+    const PathNote* note_ = nullptr; // of the running dispatch
     std::optional<Observed> seen_;
 };
 
@@ -83,7 +83,7 @@ PathRecorder InspectionSession::record(bool isPhoton, std::uint32_t number, std:
         film.beginPass(pass);
         integrator->renderPass(pass);
         device_.commands.finish();
-    } catch (const Enough&) { // finished at the end of this scope
+    } catch (const EndOfPass&) { // finished at the end of this scope
     }
     return recorder;
 }
@@ -101,12 +101,11 @@ RecordedPath InspectionSession::followPhoton(const PhotonChoice& photon, std::ui
     const auto found = sent.find(sequence);
     if (found == sent.end()) {
         throw Error(ExitCode::WrongUsage,
-                    photon.isCaustic ? "no caustic photons are sent in this render"
-                                     : "this integrator sends no photons",
+                    photon.isCaustic ? "this render emits no caustic photons" : "this integrator emits no photons",
                     photon.isCaustic ? "leave --caustic out" : "ask for a pixel with --pixel X,Y");
     }
     if (photon.number >= found->second.pass.count) {
-        throw Error(ExitCode::WrongUsage, "there is no photon " + std::to_string(photon.number) + " among " +
+        throw Error(ExitCode::WrongUsage, "there is no photon " + std::to_string(photon.number) + " of " +
                                               std::to_string(found->second.pass.count));
     }
     return pathOf(sides_, recorder, {true, sequence, photon.number});

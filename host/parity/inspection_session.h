@@ -1,5 +1,5 @@
 // Both sides of one scene: records the paths that the device follows while it renders, and follows the same paths in
-// the reference, vertex by vertex. `hyalite parity`, `hyalite inspect` and the live page look at paths through this.
+// the reference, vertex by vertex. `hyalite parity`, `hyalite inspect` and the live page use it to inspect paths.
 #pragma once
 
 #include "gpu/dispatch_observer.h"
@@ -18,40 +18,41 @@ namespace hyalite::parity {
 
 struct PhotonChoice {
     std::uint32_t number = 0;
-    bool isCaustic = false; // one of those aimed at what is specular, else of the global map
+    bool isCaustic = false; // one of the photons aimed at specular objects, else one of the global map
 };
 
 class InspectionSession {
 public:
-    // `scene` as it was uploaded to `device`, the camera of `deviceScene` included. References are kept: `scene` must
-    // outlive the session, `device` and `deviceScene` every call that renders (followPixel, followPhoton).
+    // `scene` as uploaded to `device`, with the camera of `deviceScene`. Keeps references: `scene` must outlive the
+    // session, `device` and `deviceScene` every call that renders (followPixel, followPhoton).
     InspectionSession(render::Device& device, const Scene& scene, const render::DeviceScene& deviceScene);
 
     // The path of a pixel (y * width + x) or of a photon in pass number `pass`, on both sides. Renders that pass on the
-    // device as far as the path needs it; other observers of device.commands see its dispatches too, and what they
-    // throw ends it and leaves the session as it was. Throws Error(WrongUsage) where code of the scene has no twin or
-    // there is no such photon, and what rendering throws.
+    // device as far as the path needs it. Other observers of device.commands see its dispatches too; an exception they
+    // throw ends the pass and leaves the session unchanged. Throws Error(WrongUsage) if code of the scene has no twin
+    // or there is no such photon, and whatever rendering throws.
     [[nodiscard]] RecordedPath followPixel(std::uint32_t pixel, std::uint32_t pass);
     [[nodiscard]] RecordedPath followPhoton(const PhotonChoice& photon, std::uint32_t pass);
 
-    // While the Observation lives, and the session with it: records all paths of what the device renders, and compares
-    // each dispatch of these kernels (none given: of all) with its twin.
+    // For the lifetime of the Observation, which the session must outlive: records all paths that the device renders,
+    // and compares each dispatch of these kernels (empty: all kernels) with its twin.
     [[nodiscard]] gpu::Observation watch(std::set<std::string> stages);
 
-    // Of what was watched: the comparisons in the order of their first dispatch, once; all paths on both sides; one.
+    // Results of watch(): the comparisons in the order of their first dispatch (can be taken once); all paths on both
+    // sides; one path.
     [[nodiscard]] std::vector<StageResult> takeStages();
     [[nodiscard]] PathResults comparePaths() const;
     [[nodiscard]] RecordedPath path(const PathKey& key) const;
 
 private:
-    // Renders one pass for the sake of its paths of this kind, and records those with this number.
+    // Renders one pass to record its paths of this kind and number.
     [[nodiscard]] PathRecorder record(bool isPhoton, std::uint32_t number, std::uint32_t pass);
 
     render::Device& device_;
     const Scene& scene_;
     const render::DeviceScene& deviceScene_;
     Sides sides_;
-    std::unique_ptr<Capture> capture_; // what is watched
+    std::unique_ptr<Capture> capture_; // set by watch()
 };
 
 } // namespace hyalite::parity

@@ -1,4 +1,4 @@
-// One observed dispatch: its arguments, and the memory that they name before and after it.
+// One observed dispatch: its arguments, and the contents of the buffers they reference, before and after it.
 #pragma once
 
 #include "gpu/buffer.h"
@@ -16,9 +16,9 @@ namespace hyalite::parity {
 
 class Observed {
 public:
-    static constexpr std::size_t kWhole = SIZE_MAX / 1024; // elements: as many as the buffer has
+    static constexpr std::size_t kWhole = SIZE_MAX / 1024; // element count: the whole buffer
 
-    // Copies all buffers that the arguments name. To be made before the dispatch.
+    // Copies all buffers that the arguments reference. Construct before the dispatch.
     Observed(const gpu::Context& context, const gpu::TexelTables& tables, const gpu::Dispatch& dispatch);
 
     [[nodiscard]] const std::string& kernel() const { return kernel_; }
@@ -35,13 +35,13 @@ public:
     [[nodiscard]] std::span<const T> before(const DeviceArray& array, std::size_t count) const {
         return typed<T>(copyAt(array.address), count);
     }
-    // … and as they are now.
+    // … and as they are after it.
     template <class T, class DeviceArray>
     [[nodiscard]] std::span<const T> after(const DeviceArray& array, std::size_t count) const {
         return typed<T>(context_.memoryAt(array.address), count);
     }
-    // How many elements the dispatch was for: a number that the host gave, or the first of an array on the device,
-    // where an earlier kernel counted them (indirect dispatch).
+    // Number of elements of the dispatch: given by the host, or the first element of a device array if an earlier
+    // kernel counted them (indirect dispatch).
     [[nodiscard]] static std::uint32_t count(std::uint32_t given) { return given; }
     template <class DeviceArray>
     [[nodiscard]] std::uint32_t count(const DeviceArray& array) const {
@@ -59,7 +59,7 @@ public:
 
 private:
     [[nodiscard]] std::span<const std::byte> copyAt(std::uint64_t address) const;
-    // No more elements than there are bytes.
+    // Clamps the number of elements to the bytes available.
     template <class T>
     [[nodiscard]] static std::span<const T> typed(std::span<const std::byte> bytes, std::size_t count) {
         return {reinterpret_cast<const T*>(bytes.data()), std::min(count, bytes.size() / sizeof(T))};

@@ -19,7 +19,7 @@ constexpr std::uint32_t kTestSide = 64;
 constexpr std::uint32_t kTestPasses = 2;
 constexpr std::uint32_t kTestPhotons = 8192;
 
-constexpr std::uint32_t kMostShown = 128 * 128; // paths that a page has room for
+constexpr std::uint32_t kMostShown = 128 * 128; // largest number of paths that a page can hold
 
 PictureResult comparePictures(Image device, Image twin) {
     const Crop whole = wholeOf(twin);
@@ -34,7 +34,7 @@ PictureResult comparePictures(Image device, Image twin) {
     return result;
 }
 
-// A scene on a device of its own, to look at single paths.
+// A scene uploaded to its own device, for inspecting single paths.
 class Uploaded {
 public:
     Uploaded(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const Scene& scene)

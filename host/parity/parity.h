@@ -1,5 +1,5 @@
-// Parity of the device with the double-precision reference: stage by stage on what a render really computes, and the
-// picture that comes of it.
+// Parity of the device with the double-precision reference: stage by stage on the data of an actual render, and on the
+// final picture.
 #pragma once
 
 #include "gpu/context.h"
@@ -19,10 +19,10 @@
 namespace hyalite::parity {
 
 struct Options {
-    std::set<std::string> stages; // compare these alone; empty: all, and paths and picture too
+    std::set<std::string> stages; // compares only these; empty: all, and paths and picture too
 };
 
-// Both pictures, and how far they are from one another.
+// Both pictures and the difference between them.
 struct PictureResult {
     Image device;
     Image twin;
@@ -30,11 +30,11 @@ struct PictureResult {
     double rmse = 0;
     double relMse = 0;
     double flip = 0;
-    double shareWithin = 0; // of pixels, by kPictureTolerance
+    double shareWithin = 0; // share of pixels within kPictureTolerance
     [[nodiscard]] bool passed() const;
 };
-// A pixel agrees within this share of its value. Where a path takes another way, because a coin or an edge is decided
-// by a rounding, its pixel differs by what the way brings; so not all pixels need to agree.
+// A pixel agrees if it is within this fraction of its value. Where rounding flips a random decision or an edge test,
+// the path diverges and its pixel differs by the path's contribution; so not all pixels need to agree.
 inline constexpr double kPictureTolerance = 1e-2;
 inline constexpr double kPictureShare = 0.95;
 
@@ -42,14 +42,14 @@ struct Result {
     std::vector<StageResult> stages; // in the order of their first dispatch
     std::optional<PathResults> paths;
     std::optional<PictureResult> picture;
-    std::vector<RecordedPath> shown; // of every pixel in pass 0, for a report; none of large pictures
+    std::vector<RecordedPath> shown; // of every pixel in pass 0, for a report; empty for large pictures
 
     [[nodiscard]] bool passed() const;
-    // The stage of the earliest dispatch that failed; nullptr: none.
+    // The stage of the earliest failed dispatch; nullptr: none failed.
     [[nodiscard]] const StageResult* firstFailure() const;
 };
 
-// Renders the scene, as it is, on both sides. Throws what render::render and reference::render throw.
+// Renders the unmodified scene on both sides. Throws what render::render and reference::render throw.
 [[nodiscard]] Result compareSides(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const Scene& scene,
                                   const Options& options);
 
@@ -57,12 +57,12 @@ struct Result {
 [[nodiscard]] RecordedPath inspectPixel(const gpu::Context& context, const gpu::ShaderCompiler& compiler,
                                         const Scene& scene, std::uint32_t pass, std::uint32_t pixel);
 
-// The path of a photon in a pass. Throws Error(WrongUsage) where there is none of that kind and number.
+// The path of a photon in a pass. Throws Error(WrongUsage) if there is no photon of that kind and number.
 [[nodiscard]] RecordedPath inspectPhoton(const gpu::Context& context, const gpu::ShaderCompiler& compiler,
                                          const Scene& scene, std::uint32_t pass, const PhotonChoice& photon);
 
-// Lowers resolution, passes and photons to what is compared in a minute: at most 64 pixels a side, 2 passes and 8192
-// photons of a kind.
+// Lowers resolution, passes and photons so that the comparison takes at most a minute: at most 64 pixels a side, 2
+// passes and 8192 photons of each kind.
 void shrinkToTestSize(Scene& scene);
 
 } // namespace hyalite::parity

@@ -10,13 +10,13 @@ namespace hyalite::parity {
 
 namespace {
 
-constexpr std::size_t kWorstKept = 32; // of each kind of path
+constexpr std::size_t kWorstKept = 32; // per kind of path
 
 double relativeTo(const glm::dvec3& a, const glm::dvec3& b, double scale) {
     return largestComponent(a - b) / std::max({scale, largestComponent(b), 1e-30});
 }
 
-// What differs at a vertex first, in the order in which a path is computed; empty: nothing.
+// The first quantity that differs at a vertex, in the order of computation; empty: nothing differs.
 std::string differenceAt(const Sides& sides, const Vertex& device, const Vertex& twin) {
     if (device.object != twin.object) {
         return "object";
@@ -41,7 +41,7 @@ void keep(PathResult& result, RecordedPath path) {
     }
 }
 
-// Where two paths part first, each followed from its start.
+// First difference of two paths, each followed from its start.
 struct Difference {
     std::uint32_t depth = 0;
     std::string what;
@@ -52,7 +52,7 @@ std::optional<Difference> differenceOf(const Sides& sides, const std::vector<Dev
     for (const Vertex& expected : twin) {
         const auto isSame = [&](const Vertex& v) { return v.seed == expected.seed && v.depth == expected.depth; };
         const auto found = std::ranges::find_if(device, isSame);
-        // A vertex that is missing follows from a choice before it
+        // A missing vertex results from an earlier choice
         const std::string what = found == device.end() ? "choice" : differenceAt(sides, *found, expected);
         if (!what.empty()) {
             return Difference{expected.depth, what};
@@ -64,7 +64,7 @@ std::optional<Difference> differenceOf(const Sides& sides, const std::vector<Dev
     return std::nullopt;
 }
 
-// Do both sides send out the same ray, or one that a few roundings of the random numbers explain?
+// True if both sides start with the same ray, up to a few roundings of the random numbers.
 bool startsAlike(const Sides& sides, const PathKey& key, const reference::PhotonPass& pass, const Vertex& device) {
     Hull origin;
     Hull direction;

@@ -1,4 +1,4 @@
-// Whole paths of both sides, vertex by vertex: where they part first, and why.
+// Compares whole paths of both sides vertex by vertex: where they first differ, and why.
 #pragma once
 
 #include "parity/comparison.h"
@@ -12,22 +12,22 @@
 
 namespace hyalite::parity {
 
-// What becomes of a path that is followed from its start on both sides, where every step by itself agrees.
-inline constexpr const char* kGrown = "roundings that grew along the path";
+// Cause of a difference between paths followed from their starts, if every single step agrees.
+inline constexpr const char* kGrown = "rounding amplified along the path";
 
 // A path on both sides.
 struct RecordedPath {
     PathKey key;
     std::vector<DeviceVertex> device;
     std::vector<Vertex> twin;
-    std::uint32_t differsAt = 0; // depth of the first vertex that does; 0: none
-    std::string what;            // differs there first
-    // kGrown; or why the first step differs where the twin goes on from the device's own ray. Empty: no few roundings
-    // explain it.
+    std::uint32_t differsAt = 0; // depth of the first vertex that differs; 0: none
+    std::string what;            // quantity that differs there first
+    // kGrown, or why a step differs: the first step where the twin, continuing from the device's own ray, disagrees.
+    // Empty: rounding does not explain it.
     std::string cause;
 };
 
-// Photons that paths left.
+// Photons stored along the paths.
 struct PhotonSum {
     std::uint64_t count = 0;
     glm::dvec3 flux{0}; // [W]
@@ -36,14 +36,14 @@ struct PhotonSum {
 struct PathResult {
     std::uint64_t compared = 0;
     std::uint64_t vertices = 0;
-    std::uint64_t agree = 0; // from the start, vertex by vertex
+    std::uint64_t agree = 0; // number of paths that agree from their start, vertex by vertex
     PhotonSum storedOnDevice;
     PhotonSum storedByTwin;
-    std::map<std::string, std::uint64_t> causes; // of those that do not: how often; "": nothing explains it
-    std::vector<RecordedPath> worst;             // unexplained ones first, then those that part earliest
+    std::map<std::string, std::uint64_t> causes; // count per cause of the paths that differ; "": unexplained
+    std::vector<RecordedPath> worst;             // unexplained ones first, then those that differ earliest
 
     [[nodiscard]] std::uint64_t unexplained() const;
-    [[nodiscard]] std::uint64_t agreeStepwise() const; // each vertex follows from the one before as the device has it
+    [[nodiscard]] std::uint64_t agreeStepwise() const; // every step agrees when started from the device's vertex
     [[nodiscard]] double share() const { return shareOf(agree); }
     [[nodiscard]] double shareStepwise() const { return shareOf(agreeStepwise()); }
     [[nodiscard]] bool passed() const { return unexplained() == 0 && 1 - shareStepwise() <= kMostApart; }

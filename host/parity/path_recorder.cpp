@@ -6,7 +6,7 @@ namespace {
 
 using glm::dvec3;
 
-// The part of a vertex that follows from its ray and hit.
+// The part of a vertex determined by its ray and hit.
 DeviceVertex vertexAt(const Sides& sides, const shared::Ray& ray, const shared::Hit& hit,
                       std::optional<reference::Surface>& surface) {
     DeviceVertex vertex;
@@ -23,8 +23,8 @@ DeviceVertex vertexAt(const Sides& sides, const shared::Ray& ray, const shared::
     return vertex;
 }
 
-std::uint32_t wayOnFrom(const std::optional<reference::Surface>& surface, const shared::Ray& next) {
-    return surface ? wayOn(*surface, dvec3(next.direction)) : kReflected;
+std::uint32_t continuationFrom(const std::optional<reference::Surface>& surface, const shared::Ray& next) {
+    return surface ? continuation(*surface, dvec3(next.direction)) : kReflected;
 }
 
 } // namespace
@@ -40,10 +40,10 @@ void PathRecorder::addShading(const Shaded& shaded, std::uint32_t depth, std::ui
     vertex.medium = shaded.path.medium;
     vertex.weight = dvec3(shaded.path.beta);
     vertex.pdfW = double{shaded.path.pdfW};
-    // A path that goes on from diffuse surfaces may have left a point at an earlier one
+    // A path that bounces off diffuse surfaces may have stored its visible point at an earlier one
     vertex.choice = shaded.visible.depth == depth && sides_.reflects(shaded.visible) ? kDiffuse : 0;
     for (const shared::Ray& next : shaded.next) {
-        vertex.choice |= wayOnFrom(surface, next);
+        vertex.choice |= continuationFrom(surface, next);
     }
     paths_[{false, pass, shaded.path.pixel}].push_back(vertex);
 }
@@ -88,7 +88,7 @@ void PathRecorder::addScattering(const Scattered& scattered, std::uint32_t depth
     vertex.photonKind = scattered.path.kind;
     vertex.light = scattered.path.light;
     vertex.choice = scattered.isStored ? kStored : 0;
-    vertex.choice |= scattered.next != nullptr ? wayOnFrom(surface, *scattered.next) : 0;
+    vertex.choice |= scattered.next != nullptr ? continuationFrom(surface, *scattered.next) : 0;
     paths_[{true, sequence, scattered.path.photon}].push_back(vertex);
 }
 

@@ -1,4 +1,4 @@
-// What was found, for others to read: as JSON, and as one HTML page that needs nothing else.
+// Output of the results: as JSON, and as one self-contained HTML page.
 #pragma once
 
 #include "parity/parity.h"
@@ -9,20 +9,20 @@
 
 namespace hyalite::parity {
 
-// Where and of what a comparison was made.
+// Scene, command and machine of a comparison.
 struct Circumstances {
     std::string scene; // file
     std::string command;
     std::vector<std::pair<std::string, std::string>> machine; // name and value
 };
 
-// One line: passed or not and, if not, where the two sides part first.
+// One line: passed or failed and, if failed, where the two sides first differ.
 [[nodiscard]] std::string verdict(const Result& result);
 
 // One JSON object.
 [[nodiscard]] std::string toJson(const Result& result, const Circumstances& circumstances);
 
-// A page that shows the same, with pictures, and the path of every pixel.
+// The same as an HTML page, with pictures and the path of every pixel.
 [[nodiscard]] std::string toHtml(const Result& result, const Scene& scene, const Circumstances& circumstances);
 
 } // namespace hyalite::parity

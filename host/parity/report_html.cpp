@@ -1,4 +1,4 @@
-// The page is report.html with the data put in: JSON that its script reads, and pictures as data URIs.
+// The page is report.html with data inserted: JSON read by its script, and pictures as data URIs.
 #include "parity/report.h"
 
 #include "image/png.h"
@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Seven digits say all that a float does, and keep the page small.
+// Seven digits are enough for the precision of a float, and keep the page small.
 void append(std::string& text, double x) {
     std::array<char, 32> digits{};
     const int length = std::snprintf(digits.data(), digits.size(), "%.7g", std::isfinite(x) ? x : 0.0);
@@ -36,7 +36,7 @@ double orMinusOne(std::uint32_t index) {
     return index == shared::kNone ? -1 : static_cast<double>(index);
 }
 
-// A vertex as a list of numbers, in the order that report.html names.
+// A vertex as a list of numbers, in the order given in report.html.
 void append(std::string& text, const Vertex& vertex) {
     text += '[';
     append(text, vertex.depth);
@@ -55,8 +55,8 @@ void append(std::string& text, const Vertex& vertex) {
     text += ',';
 }
 
-// The page shows so many vertices of a path, or fewer where all its paths had more together: some 600 bytes each, and
-// Whitted's trees have hundreds of branches.
+// Limit on the vertices shown per path, lowered if all paths together have too many: a vertex takes about 600 bytes,
+// and Whitted's trees have hundreds of branches.
 constexpr std::size_t kVerticesOfPath = 24;
 constexpr std::size_t kVerticesOfPage = 16384;
 
@@ -126,7 +126,7 @@ std::string listOf(std::string_view integrator, const std::vector<RecordedPath>&
     return text + ']';
 }
 
-// The map with its largest error, or one that can just be seen, in white.
+// Scales the map so that its largest error, or a just visible error if that is larger, is white.
 ErrorMap brightened(ErrorMap map, double white) {
     for (double& value : map.values) {
         value /= white;
@@ -166,7 +166,7 @@ void replace(std::string& text, std::string_view what, std::string_view by) {
     text.replace(at, what.size(), by);
 }
 
-// No "</script>" may stand in a script, whatever a name holds.
+// A script must not contain "</script>", even if a name does.
 std::string safe(std::string json) {
     for (std::size_t at = json.find("</"); at != std::string::npos; at = json.find("</", at + 3)) {
         json.replace(at, 2, "<\\/");

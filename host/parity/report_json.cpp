@@ -74,18 +74,19 @@ std::string verdict(const Result& result) {
                    (first->withoutTwin.empty() ? "" : ": it runs the scene's own " + first->withoutTwin);
         }
         if (first->failed == 0) {
-            return "parity FAILED: " + first->name + ": rounding decides too often, in " +
-                   std::to_string(first->apart) + " of " + std::to_string(first->elements);
+            return "parity FAILED: " + first->name +
+                   ": too many differences due to rounding: " + std::to_string(first->apart) + " of " +
+                   std::to_string(first->elements);
         }
-        return "parity FAILED: the sides part first in " + first->name + " (dispatch " +
+        return "parity FAILED: the sides first differ in " + first->name + " (dispatch " +
                std::to_string(first->firstFailure) + "): " + std::to_string(first->failed) + " of " +
                std::to_string(first->elements) + " differ";
     }
     if (result.paths && (!result.paths->camera.passed() || !result.paths->photons.passed())) {
         const std::uint64_t unexplained = result.paths->camera.unexplained() + result.paths->photons.unexplained();
         return "parity FAILED: all stages agree, but " +
-               (unexplained > 0 ? count(unexplained, "path parts", "paths part") + " for no reason that was found"
-                                : "too many paths part, by roundings of single steps");
+               (unexplained > 0 ? count(unexplained, "path differs", "paths differ") + " for an unknown reason"
+                                : "too many paths differ in a single step by rounding");
     }
     if (!result.passed()) {
         return "parity FAILED: all stages agree, but the pictures do not";

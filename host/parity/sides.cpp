@@ -13,8 +13,8 @@ namespace {
 
 using glm::dvec3;
 
-// A ray that leaves an object starts this close to its surface [scale of the scene]: the bound on positions of curved
-// shapes, 2^-20, and as much again where the ray meets them.
+// Largest distance between the start of a ray and the surface that it leaves [scale of the scene]: the error bound of
+// positions on curved shapes, 2^-20, with a margin for the error of the intersection.
 constexpr double kOnSurface = 0x1p-18;
 
 double scaleOf(const Scene& scene, const reference::World& world) {
@@ -89,7 +89,7 @@ MaterialModel Sides::materialAt(std::uint32_t number, const dvec3& position, con
 }
 
 reference::VisiblePoint Sides::toTwin(const shared::VisiblePoint& x, Nudge nudge) const {
-    const std::uint32_t left = (x.from & ~shared::kRayInside) - 1U; // wraps where it is on nothing
+    const std::uint32_t left = (x.from & ~shared::kRayInside) - 1U; // wraps around if it is on no object
     const bool isObject = left < objectOf_.size() && leafOf_[left] == shared::kNone;
     return {.position = dvec3(x.position),
             .shadowOrigin = dvec3(x.position),
@@ -164,11 +164,11 @@ std::optional<reference::Hit> Sides::refined(const reference::Ray& ray, std::uin
 
 std::optional<reference::Hit> Sides::trace(const reference::Ray& ray, std::uint32_t from) const {
     std::optional<reference::Hit> hit = reference::traceClosest(world_, ray);
-    const std::uint32_t left = (from & ~shared::kRayInside) - 1U; // kNone where it leaves nothing
+    const std::uint32_t left = (from & ~shared::kRayInside) - 1U; // kNone if it leaves no object
     if (!hit || left >= objectOf_.size() || hit->object != objectOf_[left]) {
         return hit;
     }
-    // Rays that leave a mesh start beyond the error of its triangles: what they meet they meet
+    // Rays that leave a mesh start beyond the error of its triangles: every hit is real
     if (std::holds_alternative<MeshInstance>(scene_.objects[hit->object].shape)) {
         return hit;
     }
@@ -177,7 +177,7 @@ std::optional<reference::Hit> Sides::trace(const reference::Ray& ray, std::uint3
     if (hit->t * std::abs(glm::dot(ray.direction, surface.geometricNormal)) > reach || hit->t > 1024 * reach) {
         return hit;
     }
-    // The surface that it leaves: on from just behind it
+    // The ray hit the surface that it leaves: continue just behind it
     reference::Ray onward = ray;
     const double passed = hit->t + reach / 1024;
     onward.origin += passed * ray.direction;

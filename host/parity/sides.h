@@ -1,5 +1,5 @@
-// One scene on both sides, and how the device's records read in the reference's terms: numbers exactly, indices by the
-// tables that the upload left.
+// One scene on both sides, and the conversion of the device's records to the reference's: numbers exactly, indices
+// through the tables from the upload.
 #pragma once
 
 #include "parity/nudge.h"
@@ -17,7 +17,7 @@ namespace hyalite::parity {
 
 class Sides {
 public:
-    // A reference to the scene is kept.
+    // Keeps a reference to the scene.
     Sides(const Scene& scene, const render::DeviceScene& deviceScene);
 
     [[nodiscard]] const Scene& scene() const { return scene_; }
@@ -30,30 +30,30 @@ public:
     [[nodiscard]] reference::PhotonPath toTwin(const shared::PhotonPath& path) const;
     [[nodiscard]] reference::VisiblePoint toTwin(const shared::VisiblePoint& x, Nudge nudge = Nudge(0)) const;
     [[nodiscard]] reference::RoughPoint toTwin(const shared::RoughPoint& x, Nudge nudge = Nudge(0)) const;
-    // Whether light that falls on the point reaches the pixel at all.
+    // True if light on the point can reach the pixel at all.
     [[nodiscard]] bool reflects(const shared::VisiblePoint& x) const;
-    // A stored photon; with a number of 0, which the device's does not have.
+    // A stored photon; its number is 0, because the device does not store one.
     [[nodiscard]] reference::Photon toTwin(const shared::Photon& photon) const;
 
-    // The device's number of a material of the world.
+    // The device's index of a material of the world.
     [[nodiscard]] std::uint32_t numberOf(const Material* material) const;
 
-    // The nearest hit of a ray that leaves the object which `from` names (see shared::Ray): where it starts, to within
-    // rounding on that object's surface, is none.
+    // The nearest hit of a ray that leaves the object given by `from` (see shared::Ray). A hit at its start, within
+    // rounding of that object's surface, does not count.
     [[nodiscard]] std::optional<reference::Hit> trace(const reference::Ray& ray, std::uint32_t from) const;
 
-    // The device's hit, its distance along the ray in double precision where the twin meets the same surface there:
-    // with less, points of curved surfaces would not be on them.
+    // The device's hit, with its distance along the ray in double precision if the twin hits the same surface there: in
+    // single precision, points would not lie on curved surfaces.
     [[nodiscard]] std::optional<reference::Hit> refined(const reference::Ray& ray, std::uint32_t from,
                                                         const shared::Hit& hit) const;
 
-    // Do surfaces coincide where device and twin met them, so that a rounding says which is met? A move of the ray
-    // would not part them.
+    // True if the surfaces hit by device and twin coincide, so that rounding decides which one is hit. Moving the ray
+    // would not separate them.
     [[nodiscard]] bool areInOnePlace(const reference::Ray& ray, const std::optional<reference::Hit>& device,
                                      const std::optional<reference::Hit>& twin) const;
 
 private:
-    // The material of a surface with its textures, looked up where the nudge moves the point to.
+    // The material of a surface with its textures, evaluated at the point as moved by the nudge.
     [[nodiscard]] MaterialModel materialAt(std::uint32_t number, const glm::dvec3& position, const glm::dvec2& uv,
                                            Nudge nudge) const;
     [[nodiscard]] const Material* material(std::uint32_t number) const;
@@ -66,8 +66,8 @@ private:
     double scale_;
 };
 
-// A vector of the direction that was packed as a point of the unfolded octahedron, `bits` a coordinate [Cigolle14]; its
-// length says nothing.
+// Decodes a direction packed as a point of the unfolded octahedron with `bits` bits per coordinate [Cigolle14]; the
+// result is not normalised.
 [[nodiscard]] glm::dvec3 unpackDirection(std::uint32_t packed, std::uint32_t bits);
 
 } // namespace hyalite::parity

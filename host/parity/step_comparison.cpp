@@ -12,12 +12,12 @@ namespace {
 
 class StepComparison {
 public:
-    // `path`: all vertices on the device. References are kept.
+    // `path`: all vertices on the device. Keeps references.
     StepComparison(const Sides& sides, const PathKey& key, const reference::PhotonPass& pass,
                    const std::vector<DeviceVertex>& path, const DeviceVertex& vertex)
         : sides_(sides), key_(key), pass_(pass), path_(path), vertex_(vertex) {}
 
-    // Why it differs. None: it agrees; empty: no few roundings explain the difference.
+    // Cause of the difference. None: the step agrees; empty: rounding does not explain the difference.
     [[nodiscard]] std::optional<std::string> cause() const {
         const std::string what = difference(step(Nudge(0)));
         if (what.empty()) {
@@ -29,11 +29,11 @@ public:
         if (what == "object") {
             return std::string(kEdge);
         }
-        return std::string(what == "choice" ? kCoin : kGrazing);
+        return std::string(what == "choice" ? kDecision : kGrazing);
     }
 
 private:
-    // What one step leads to, in numbers: a position, and of each ray onward its direction and weight.
+    // Numerical results of one step: a position, and the direction and weight of each next ray.
     struct Numbers {
         glm::dvec3 value;
         double tolerance;
@@ -51,7 +51,7 @@ private:
         return stepOf(sides_, key_, pass_, state, hit);
     }
 
-    // The device's vertex that follows, if it was recorded.
+    // The device's next vertex, if it was recorded.
     [[nodiscard]] const DeviceVertex* following(const PathState& next) const {
         const auto found = std::ranges::find_if(path_, [&](const DeviceVertex& v) {
             return v.depth == next.depth && (key_.isPhoton || v.seed == next.camera.samplerSeed);
@@ -73,7 +73,7 @@ private:
     }
 
     [[nodiscard]] std::vector<Numbers> numbersOf(const PathStep& step) const {
-        // A lobe may pass on a small share of what came, and is right to that
+        // A lobe may pass on a small share of what arrived, accurate relative to what arrived
         const double arriving = largestComponent(vertex_.weight);
         std::vector<Numbers> numbers{{step.vertex.position, kPathTolerance * sides_.scale()}};
         for (const PathState& next : step.next) {
@@ -83,7 +83,7 @@ private:
         }
         return numbers;
     }
-    // The device's, in the order of numbersOf(step); of what it did not record, the step's.
+    // The device's numbers, in the order of numbersOf(step); the step's where the device recorded none.
     [[nodiscard]] std::vector<glm::dvec3> deviceNumbers(const PathStep& step) const {
         std::vector<glm::dvec3> numbers{vertex_.position};
         for (const PathState& next : step.next) {
@@ -111,7 +111,8 @@ private:
         return {};
     }
 
-    // Does the twin, given rays a few roundings away, do as the device does, and are the device's numbers among its?
+    // True if the twin, for rays a few roundings away, makes the device's choices, and its numbers enclose the
+    // device's.
     [[nodiscard]] bool isExplained() const {
         std::vector<Hull> hulls;
         std::optional<PathStep> alike;

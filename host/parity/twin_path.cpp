@@ -11,7 +11,7 @@ namespace hyalite::parity {
 
 namespace {
 
-// The vertex without what is chosen there.
+// The vertex without the choice made there.
 Vertex vertexOf(const Sides& sides, const PathKey& key, const PathState& state,
                 const std::optional<reference::Hit>& hit, const std::optional<reference::Surface>& surface) {
     Vertex vertex;
@@ -42,7 +42,7 @@ void stepCamera(const Sides& sides, std::uint32_t pass, const PathState& state, 
     const reference::Shading shading = reference::shadeSurface(world, state.ray, hit, state.camera, state.depth, pass);
     for (const auto& next : shading.next) {
         if (next) {
-            step.vertex.choice |= wayOn(surface, next->ray.direction);
+            step.vertex.choice |= continuation(surface, next->ray.direction);
             goOn(*next);
         }
     }
@@ -63,7 +63,7 @@ void stepPhoton(const Sides& sides, const reference::PhotonPass& pass, const Pat
         reference::scatterPhoton(sides.world(), state.ray, hit, state.photon, state.depth, pass);
     step.vertex.choice = scatter.stored ? kStored : 0;
     if (scatter.next) {
-        step.vertex.choice |= wayOn(surface, scatter.next->direction);
+        step.vertex.choice |= continuation(surface, scatter.next->direction);
         step.next.push_back({.ray = *scatter.next, .camera = {}, .photon = scatter.path, .depth = state.depth + 1});
     }
 }

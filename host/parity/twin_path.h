@@ -1,5 +1,4 @@
-// A path in the reference, in double precision: one step (what its ray meets, what is chosen there, how it goes on),
-// and all steps from its start.
+// A path in the double-precision reference: one step (hit, choice, next ray), and all steps from its start.
 #pragma once
 
 #include "parity/nudge.h"
@@ -12,15 +11,15 @@
 
 namespace hyalite::parity {
 
-// A path on its way to its next vertex.
+// A path between two vertices.
 struct PathState {
     reference::Ray ray;
-    reference::CameraPath camera; // a camera path's
-    reference::PhotonPath photon; // a photon path's
-    std::uint32_t depth = 1;      // of the vertex
+    reference::CameraPath camera; // for camera paths
+    reference::PhotonPath photon; // for photon paths
+    std::uint32_t depth = 1;      // of the next vertex
 };
 
-// As the device's path came to a vertex.
+// State in which the device's path arrived at a vertex.
 [[nodiscard]] PathState stateBefore(const Sides& sides, const PathKey& key, const DeviceVertex& vertex);
 
 struct PathStep {
@@ -28,19 +27,19 @@ struct PathStep {
     std::vector<PathState> next; // at most two
 };
 
-// `hit`: what the ray meets. `pass`: a photon path's.
+// `hit`: hit of the ray. `pass`: for photon paths.
 [[nodiscard]] PathStep stepOf(const Sides& sides, const PathKey& key, const reference::PhotonPass& pass,
                               const PathState& state, const std::optional<reference::Hit>& hit);
 
-// As a path starts; photons, by random numbers that are moved. `pass`: a photon path's.
+// Start of a path; for photons, with random numbers moved by the nudge. `pass`: for photon paths.
 [[nodiscard]] PathState firstState(const Sides& sides, const PathKey& key, const reference::PhotonPass& pass,
                                    Nudge nudge);
 
-// Camera paths to the first diffuse surface on every branch, those of the path tracer to their end; photon paths until
-// they are absorbed or too long for any camera path. In the order of depth.
+// Follows camera paths to the first diffuse surface on every branch (the path tracer's to their end), and photon paths
+// until they are absorbed or too long for any camera path. Ordered by depth.
 [[nodiscard]] std::vector<Vertex> twinPath(const Sides& sides, const PathKey& key, const reference::PhotonPass& pass);
 
-// The random numbers that the choices at a vertex may use, with what each pair is for.
+// The random numbers available to the choices at a vertex, with the purpose of each pair.
 struct RandomNumbers {
     std::string_view purpose;
     glm::dvec2 numbers;

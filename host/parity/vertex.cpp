@@ -13,7 +13,7 @@ std::string describeChoice(const Vertex& vertex) {
         }
     };
     add(kDiffuse, (vertex.choice & kBounced) == 0 ? "ends on a diffuse surface" : "on a diffuse surface");
-    add(kBounced, "goes on by the cosine");
+    add(kBounced, "cosine-weighted bounce");
     add(kStored, "stored");
     add(kReflected, "reflected");
     add(kTransmitted, "transmitted");
@@ -29,7 +29,7 @@ void setSurface(Vertex& vertex, const Sides& sides, const reference::Hit& hit, c
     vertex.material = sides.numberOf(surface.material);
 }
 
-std::uint32_t wayOn(const reference::Surface& surface, const glm::dvec3& direction) {
+std::uint32_t continuation(const reference::Surface& surface, const glm::dvec3& direction) {
     return glm::dot(direction, surface.geometricNormal) < 0 ? kTransmitted : kReflected;
 }
 

@@ -1,5 +1,5 @@
-// The oracle: renders a scene on the CPU in double precision, recursively, as the textbooks write it. It shares only
-// random integers with the kernels; the same seed asks both for the same picture.
+// The double-precision reference: renders a scene on the CPU, recursively, in textbook form. It shares only random
+// integers with the kernels; with the same seed both should render the same picture.
 #pragma once
 
 #include "image/layered_image.h"
@@ -15,15 +15,15 @@ struct World;
 
 struct RenderOptions {
     // Called after each pass with the number of passes done and the estimated error, see docs/metrics.md; false ends
-    // the rendering there. Empty: all passes.
+    // the rendering. Empty: renders all passes.
     std::function<bool(std::uint32_t passesDone, std::optional<double> error)> afterPass;
 };
 
-// Renders a world by its settings: one function for each integrator, see render/integrators/registry.h. The mean of the
-// passes; the same bits for any number of threads.
+// Renders a world with its settings: one function per integrator, see render/integrators/registry.h. Returns the mean
+// of the passes, bit-identical for any number of threads.
 using Integrator = LayeredImage (*)(const World& world, const RenderOptions& options);
 
-// The scene by that integrator. Throws Error(BadInput) where the scene cannot be rendered or emits no light.
+// Renders the scene with that integrator. Throws Error(BadInput) if the scene cannot be rendered or emits no light.
 [[nodiscard]] LayeredImage render(const Scene& scene, Integrator integrator, const RenderOptions& options = {});
 
 } // namespace hyalite::reference

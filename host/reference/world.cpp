@@ -1,4 +1,4 @@
-// Preparing the scene, and the two questions rays ask of it: what is nearest, and is the way free.
+// Prepares the scene, and answers the two ray queries: the nearest hit, and visibility between two points.
 #include "reference/world.h"
 
 #include "geometry/specular_targets.h"
@@ -72,7 +72,7 @@ Geometry makeGeometry(const Scene& scene, const Object& object, const MeshTrees&
     return makeSolid(object, trees);
 }
 
-// Boxes only save time: they are wider than any rounding in what they hold.
+// Boxes only save time: the padding exceeds any rounding in their contents.
 Box paddedBox(const Bounds& bounds) {
     const glm::dvec3 farthest = glm::max(glm::abs(bounds.low), glm::abs(bounds.high));
     const double padding = 0x1p-17 * std::max({farthest.x, farthest.y, farthest.z});
@@ -120,7 +120,8 @@ void visitObjects(const World& world, Ray& ray, Visit&& visit) {
     world.bvh.walk(ray, [&](std::uint32_t item) { return visit(world.bounded[item]); });
 }
 
-// A point of a CSG solid: its outside may be the inside of the leaf, and rays leave all faces that coincide there.
+// A point on a CSG solid: the solid's outside may be the leaf's inside, and the ray offset clears all faces that
+// coincide there.
 SurfacePoint surfaceOfTree(const CsgTree& tree, const Ray& ray, const Hit& hit, const ShapeHit& onLeaf) {
     const CsgTree::Leaf& leaf = tree.leaves.at(hit.leaf - tree.firstLeaf);
     SurfacePoint point = surfaceOf(leaf.solid, ray, onLeaf);

@@ -1,4 +1,4 @@
-// The scene made ready for rays: shapes with their transforms inverted, lights with their share of the power, one tree
+// The scene prepared for ray queries: shapes with inverted transforms, lights with their share of the power, one tree
 // over the objects and one over each mesh. Value type; the renderers only read it.
 #pragma once
 
@@ -25,22 +25,22 @@ struct World {
     CameraFrame camera;
     RenderSettings render;
     CameraPathRules cameraPaths;         // of render.integrator
-    double sceneRadius = 0;              // of the sphere around what has an end [m]
-    double globalRadius = 0;             // photonmap: photons of an estimate lie no farther [m]
-    double causticRadius = 0;            // photonmap: those of caustics [m]
-    std::vector<BoundingSphere> targets; // what caustic photons are aimed at
+    double sceneRadius = 0;              // of the sphere around all bounded objects [m]
+    double globalRadius = 0;             // photonmap: largest search radius for the global map [m]
+    double causticRadius = 0;            // photonmap: the same for the caustic map [m]
+    std::vector<BoundingSphere> targets; // of the caustic photons
     std::vector<Texture> textures;
     std::vector<Material> materials;
     std::vector<Object> objects;
     std::vector<Object> csgLeaves;
     std::vector<Geometry> geometry; // per object
     std::vector<Light> lights;
-    std::vector<std::uint32_t> bounded;   // the objects that the tree is over
-    std::vector<std::uint32_t> unbounded; // those without end, tried one by one
+    std::vector<std::uint32_t> bounded;   // the objects in the tree
+    std::vector<std::uint32_t> unbounded; // infinite objects, tested one by one
     Bvh bvh;
 };
 
-// Throws Error(BadInput) where the scene cannot be rendered.
+// Throws Error(BadInput) if the scene cannot be rendered.
 [[nodiscard]] World prepareWorld(const Scene& scene);
 
 inline constexpr std::uint32_t kNoLeaf = 0xffffffff;
@@ -51,34 +51,34 @@ struct Hit {
     std::uint32_t primitive = 0; // the shape's part; this and u, v: see ShapeHit
     double u = 0;
     double v = 0;
-    std::uint32_t leaf = kNoLeaf; // CSG: whose surface it is, in Scene::csgLeaves
+    std::uint32_t leaf = kNoLeaf; // CSG: the leaf whose surface was hit, in Scene::csgLeaves
     double spread = 0;            // CSG: see CsgHit
 };
 
-// The nearest hit with 0 < t <= tMax; of equally near ones that of the first object, then of the first triangle.
+// The nearest hit with 0 < t <= tMax; of equally near hits, that of the first object, then of the first triangle.
 [[nodiscard]] std::optional<Hit> traceClosest(const World& world, const Ray& ray);
 
-// Is the open way between two points, both moved off their surfaces, free?
+// True if the open segment between two points, both moved off their surfaces, is unoccluded.
 [[nodiscard]] bool traceShadow(const World& world, const glm::dvec3& from, const glm::dvec3& to);
 
-// What a ray meets at a hit.
+// The surface at a ray's hit.
 struct Surface {
     glm::dvec3 position;        // world [m]
     glm::dvec3 geometricNormal; // unit, on the side the ray came from
-    glm::dvec3 normal;          // unit, for shading: interpolated where the mesh has normals, turned likewise
-    bool front = false; // the ray came from the outside of a solid or mesh, the side of q > 0, the front of a quad
-    double offset = 0;  // distance [m] that a leaving ray starts from the surface
+    glm::dvec3 normal;          // unit, for shading, on the same side; interpolated if the mesh has normals
+    bool front = false; // the ray came from outside a solid or mesh, from the side q > 0, from the front of a quad
+    double offset = 0;  // distance [m] from the surface at which a leaving ray starts
     const Material* material = nullptr; // of the world; nullptr: absorbs
     glm::dvec2 uv{0};                   // for textures
-    glm::dvec3 emission{0};             // radiance towards where the ray came from [W/(m^2 sr)]
-    const Quad* quad = nullptr;         // of the world: the parallelogram that this is on; nullptr: another shape
+    glm::dvec3 emission{0};             // radiance towards the ray's origin [W/(m^2 sr)]
+    const Quad* quad = nullptr;         // of the world: the parallelogram under this point; nullptr: another shape
 };
 [[nodiscard]] Surface evaluateSurface(const World& world, const Ray& ray, const Hit& hit);
 
-// Is the point inside the object? Nothing is inside quads, disks and open quadrics.
+// True if the point is inside the object; always false for quads, disks and open quadrics.
 [[nodiscard]] bool isInside(const World& world, std::uint32_t object, const glm::dvec3& point);
 
-// Where a ray that leaves the surface in the direction starts.
+// Start of a ray that leaves the surface in the direction.
 [[nodiscard]] glm::dvec3 leave(const Surface& surface, const glm::dvec3& direction);
 
 } // namespace hyalite::reference

@@ -1,4 +1,4 @@
-"""A headless Chromium, and what the tests of pages ask it."""
+"""A headless Chromium, and the queries that the page tests need."""
 
 from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
@@ -15,11 +15,11 @@ def open_browser(width=1280, height=900):
 
 
 def console_complaints(browser):
-    """What the console has shown of warnings and errors since it was asked last."""
+    """Warnings and errors in the console since the last call."""
     return [entry["message"] for entry in browser.get_log("browser") if entry["level"] in ("WARNING", "SEVERE")]
 
 
 def resources(browser):
-    """Addresses of all that the page has loaded beside itself, but for data that it holds."""
+    """Addresses of all resources that the page has loaded, without itself and data URIs."""
     names = browser.execute_script("return performance.getEntriesByType('resource').map((entry) => entry.name)")
     return [name for name in names if not name.startswith("data:")]

@@ -1,4 +1,4 @@
-"""A running `hyalite live`, for tests: on a free port, with a shaders folder and a scene of its own that may be changed."""
+"""A running `hyalite live` for tests: on a free port, with its own copies of scene and shaders folder, which tests may change."""
 
 import http.client
 import json
@@ -11,7 +11,7 @@ import threading
 import time
 import urllib.parse
 
-# Small enough to be refined within a second, large enough for a first look at less.
+# Small enough to be refined within a second, large enough for a first preview at lower resolution.
 SIDE = 144
 PASSES = 6
 SETTINGS = (f"camera.resolution={SIDE}x{SIDE}", "render.photons=8000", "render.caustic_photons=3000", f"render.passes={PASSES}")
@@ -50,7 +50,7 @@ class LiveServer:
         self.first_line.set()
 
     def stop(self):
-        """Ends it as Ctrl-C does; its exit code."""
+        """Ends it as Ctrl-C does; returns its exit code."""
         self.process.send_signal(signal.SIGINT)
         try:
             return self.process.wait(30)
@@ -62,7 +62,7 @@ class LiveServer:
             assert not complaints, complaints[:5]
 
     def request(self, method, path, body=None, headers=None, host=None):
-        """Status and content of an answer."""
+        """Status and content of a response."""
         connection = http.client.HTTPConnection(host or self.host, self.port, timeout=60)
         given = {"Content-Type": "application/json"} if body is not None else {}
         try:
@@ -76,7 +76,7 @@ class LiveServer:
         return json.loads(self.request("GET", f"/api/state?seen={seen}")[1])
 
     def wait_for(self, condition, patience=60):
-        """The first state that meets the condition."""
+        """The first state that satisfies the condition."""
         end = time.monotonic() + patience
         state = self.state()
         while not condition(state):
@@ -100,7 +100,7 @@ def pathname(scene):
 
 
 def replace(path, old, new):
-    """Edits a file as an editor does; the text must be there."""
+    """Edits a file as an editor does; the old text must occur in it."""
     text = path.read_text()
     assert old in text, (path, old)
     path.write_text(text.replace(old, new))

@@ -1,4 +1,4 @@
-"""`hyalite live`, its page opened in a browser and its server asked without one: PROGRAM SOURCE [SCREENSHOTS]."""
+"""Tests `hyalite live`: its page in a browser, and its server without one: PROGRAM SOURCE [SCREENSHOTS]."""
 
 import http.client
 import json
@@ -40,7 +40,7 @@ class Live(unittest.TestCase):
         assert cls.server.stop() == 0, "Ctrl-C does not end it as it should"
 
     def shader(self, name):
-        """Puts the file back after the test, and waits until it is in the picture again."""
+        """Restores the file after the test, and waits until the picture shows it again."""
         path = self.server.shaders / name
         text = path.read_text()
 
@@ -53,7 +53,7 @@ class Live(unittest.TestCase):
         return path
 
     def picture_after(self, change, **wanted):
-        """Makes a change; the state of the first full picture that shows it."""
+        """Makes a change; returns the state of the first full picture that shows it."""
         before = self.server.state()["picture"]["id"]
         change()
         return self.server.wait_for_picture(newer_than=before, **wanted)
@@ -68,7 +68,7 @@ class Page(Live):
         cls.browser.get(cls.server.url)
 
     def setUp(self):
-        # What the last test put back may have been drawn by the server and not by the page
+        # The server may have rendered the files that the last test restored before the page shows them
         state = self.server.wait_for(lambda state: not state["busy"])
         self.wait(lambda: self.number("id") == state["picture"]["id"])
 
@@ -88,7 +88,7 @@ class Page(Live):
         return int(self.canvas().get_attribute("data-" + name) or -1)
 
     def drawn(self):
-        """What the canvas shows."""
+        """The pixels of the canvas."""
         return self.browser.execute_script("return document.getElementById('picture').toDataURL()")
 
     def screenshot(self, name):
@@ -105,7 +105,7 @@ class Page(Live):
         before, revision = self.drawn(), self.number("revision")
         ActionChains(self.browser).drag_and_drop_by_offset(self.canvas(), 60, 25).perform()
         self.wait(lambda: self.number("revision") > revision and self.drawn() != before)
-        # Turning keeps the distance from what is looked at: 3.9 m in this scene
+        # Orbiting keeps the distance from look_at: 3.9 m in this scene
         camera = self.server.state()["scene"]["camera"]
         distance = sum((a - b) ** 2 for a, b in zip(camera["position"], camera["look_at"])) ** 0.5
         self.assertAlmostEqual(distance, 3.9, places=6)
@@ -132,7 +132,7 @@ class Page(Live):
         time.sleep(1)
         self.assertEqual((self.canvas().get_attribute("data-id"), self.drawn()), (number, before))
         self.screenshot("mistake")
-        # The place opens the file there, the error in its margin
+        # Clicking the place opens the file there, with the error in its margin
         self.find(".error .place").click()
         self.wait(lambda: self.browser.find_elements(By.CSS_SELECTOR, "#editor .problem"))
         self.assertEqual(self.find("#file").get_attribute("value"), "shaders/bsdf/diffuse.glsl")
@@ -215,13 +215,13 @@ class Page(Live):
 
 
 class Failures(Live):
-    """What goes wrong in kernels and in the scene; without a browser."""
+    """Errors in kernels and in the scene; without a browser."""
 
     def stops(self, edit):
-        """What the server says of a kernel that is broken so."""
+        """The server's message for a kernel broken in this way."""
         edit()
         state = self.server.wait_for(lambda s: any(e["source"] == "worker" for e in s["errors"]))
-        # The picture goes on, with the last good version
+        # Rendering continues with the last good version
         self.server.wait_for_picture(newer_than=state["picture"]["id"], passes=PASSES)
         return next(e for e in state["errors"] if e["source"] == "worker")
 
@@ -229,7 +229,7 @@ class Failures(Live):
         self.server.wait_for_picture(passes=PASSES)
         before = self.server.pixels()
         path = self.shader("kernels/sample_lights.comp")
-        # A loop that does something: drivers leave out others
+        # A loop with an effect: drivers optimise others away
         loop = "    while (args.shadowRays.at[i].tMax >= 0.0) {\n        args.shadowRays.at[i].tMax += 1.0;\n    }\n"
         said = self.stops(lambda: replace(path, "    args.shadowRays.at[i].tMax = 0.0;\n", "    args.shadowRays.at[i].tMax = 0.0;\n" + loop))
         self.assertEqual(said["kernel"], "sample_lights")
@@ -259,7 +259,7 @@ class Failures(Live):
         self.server.wait_for(lambda s: not s["errors"] and s["picture"]["id"] > before)
 
     def test_first_pixels_and_reloads_are_fast(self):
-        # Times of the issue, with room for a machine that does other things: see docs/live.md for what was measured
+        # Required times, with a margin for a busy machine: docs/live.md has the measured ones
         self.server.wait_for_picture(passes=2)
         for angle in range(3):
             revision = self.server.state()["revision"]
@@ -294,7 +294,7 @@ class Polls(Live):
 
     def test_more_pages_than_threads_leave_the_server_an_answer_for_others(self):
         state = self.server.wait_for(lambda s: not s["busy"])
-        # Requests that wait for news, of which there is none: more than the server's 24 threads
+        # Long polls, more than the server's 24 threads, while nothing changes
         pages = [http.client.HTTPConnection("127.0.0.1", self.server.port, timeout=60) for _ in range(40)]
         for page in pages:
             self.addCleanup(page.close)
@@ -328,7 +328,7 @@ class Security(Live):
         self.refused("GET", "/", headers={**own, "Origin": "http://evil.example"})
         self.refused("POST", "/api/change", {"shown": "depth"}, headers={**own, "Origin": "null"})
         self.refused("GET", "/api/state?seen=0", headers={**own, "Sec-Fetch-Site": "cross-site"})
-        # A form of another page may send text without asking
+        # A form on another site may send text without a preflight request
         self.refused("POST", "/api/change", {"shown": "depth"}, headers={**own, "Content-Type": "text/plain"})
 
     def test_no_file_but_shaders_and_scene_is_read(self):

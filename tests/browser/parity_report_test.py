@@ -1,4 +1,4 @@
-"""The page of `hyalite parity --report`, opened, looked at and clicked: PROGRAM SOURCE."""
+"""Opens, inspects and clicks the page of `hyalite parity --report`: PROGRAM SOURCE."""
 
 import pathlib
 import re
@@ -18,7 +18,7 @@ MOST_BYTES = 5_000_000
 
 
 def write_report(folder, *options, exit_code=0):
-    """The report on the default scene; where it stands."""
+    """Writes the report on the default scene; returns its path."""
     scene = SOURCE / "scenes/cornell-caustics.yaml"
     done = subprocess.run([PROGRAM, "parity", scene, "--report", folder, *options], capture_output=True, text=True, timeout=300)
     assert done.returncode == exit_code, done.stdout + done.stderr
@@ -58,7 +58,7 @@ class ReportThatPassed(Page):
         self.open(self.page)
 
     def click_pixel(self, view, x, y):
-        """Clicks a place of a view, in shares of its width and height."""
+        """Clicks a view at a position given as fractions of its width and height."""
         self.browser.execute_script(
             "const [view, x, y] = arguments; view.scrollIntoView({block: 'center'}); const box = view.getBoundingClientRect();"
             "document.elementFromPoint(box.left + x * box.width, box.top + y * box.height).dispatchEvent("
@@ -107,11 +107,11 @@ class ReportThatPassed(Page):
         paths = self.find_all("#worst details")
         self.assertGreater(len(paths), 0)
         summary = paths[0].find_element(By.CSS_SELECTOR, "summary")
-        self.assertRegex(summary.text, r"parts at vertex \d+, first in \w+: \w+")
+        self.assertRegex(summary.text, r"differs at vertex \d+, first in \w+: \w+")
         summary.click()
-        # The table is made by the event `toggle`, which a browser raises some time after the click
+        # The `toggle` event builds the table, some time after the click
         marked = WebDriverWait(self.browser, 30).until(lambda _: paths[0].find_elements(By.CSS_SELECTOR, "tr.differs"))
-        vertex = re.search(r"parts at vertex (\d+)", summary.text)[1]
+        vertex = re.search(r"differs at vertex (\d+)", summary.text)[1]
         self.assertEqual(marked[0].find_element(By.CSS_SELECTOR, "td").text, vertex)
 
     def test_a_narrow_window_needs_no_sideways_scrolling(self):
@@ -130,7 +130,7 @@ class ReportThatFailed(Page):
         fresnel.write_text(text.replace("0.5 * (s * s + p * p)", "s * s"))
         self.assertNotEqual(fresnel.read_text(), text)
         self.open(write_report(self.folder, "--shaders", shaders, exit_code=1))
-        self.assertIn("the sides part first in shade_surface", self.find("#verdict").text)
+        self.assertIn("the sides first differ in shade_surface", self.find("#verdict").text)
         self.assertIn("bad", self.find("#verdict").get_attribute("class"))
         fields = self.find("td.fields")
         self.assertIn("nothing explains it", fields.text)

@@ -1,4 +1,4 @@
-"""hyalite bench: what it measures, and that the rays it measures end where a native tracer says."""
+"""hyalite bench: what it measures, and that its rays hit what a native tracer hits."""
 
 from program import USAGE, CliTest, Setup
 
@@ -10,12 +10,12 @@ class Bench(CliTest):
         return self.succeed_json("bench", *arguments)
 
     def stages(self, *arguments):
-        """The one scene's stages by name."""
+        """The stages of the only scene, by name."""
         (scene,) = self.bench(*arguments)["scenes"]
         return {stage["stage"]: stage for stage in scene["stages"]}
 
     def small_scene(self):
-        """64 x 64 pixels on a floor under a lamp: triangles and quads alone, so that the native tracer takes them."""
+        """64 x 64 pixels on a floor under an area light: only triangles and quads, which the native tracer supports."""
         return self.write(
             "floor.yaml",
             """hyalite: 1
@@ -44,7 +44,7 @@ objects:
                 self.assertLessEqual(stage["fastest"], stage["seconds"])
                 self.assertLessEqual(stage["seconds"], stage["slowest"])
                 self.assertAlmostEqual(stage["per_second"] * stage["seconds"] / stage["count"], 1, places=6)
-        # One camera ray a pixel, and the same rays whether in order or not
+        # One camera ray per pixel, and the same rays in order and shuffled
         self.assertEqual(stages["camera"]["count"], 64 * 64)
         self.assertEqual(stages["bounce"]["count"], stages["shuffled"]["count"])
 
@@ -57,13 +57,13 @@ objects:
                 (rival,) = stage["rivals"]
                 self.assertEqual(rival["name"], report["native"])
                 self.assertGreater(rival["ratio"], 0)
-                # Of 4 096 rays those may differ that pass a silhouette within rounding, 1e-6 of what lies across a
-                # pixel of 1e-2: one in ten thousand or so. Embree is not watertight: a few more slip through edges.
+                # Rays that pass a silhouette within rounding may differ: 1e-6 over a pixel width of 1e-2, about one in
+                # ten thousand. Embree is not watertight: a few more slip through edges.
                 self.assertGreaterEqual(rival["agreeing"], 0.999)
 
     def test_other_shaders_are_measured_by_turns_and_find_the_same(self):
         stages = self.stages("csg", "--runs", "1", "--stage", "camera", "--against", Setup.source / "shaders")
-        (rival,) = stages["camera"]["rivals"]  # Embree knows no solids
+        (rival,) = stages["camera"]["rivals"]  # Embree does not support solids
         self.assertEqual((rival["name"], rival["agreeing"]), ("other shaders", 1))
 
     def test_kernels_are_compiled_one_by_one(self):

@@ -1,4 +1,4 @@
-"""Checkpoints: that no work is lost, whatever ends a render, and that passes made anywhere add up to the same bits."""
+"""Checkpoints: no work is lost, however a render ends, and passes rendered anywhere sum to the same bits."""
 
 import json
 import shutil
@@ -11,7 +11,7 @@ from program import BAD_INPUT, OUTPUT, SCENE, TIMEOUT, USAGE, CliTest, Setup, co
 
 INTERRUPTED = 6
 
-# Every integrator, with what makes its passes differ: radii that shrink, lenses, photons, trees of rays.
+# Every integrator, with features that vary between passes: shrinking radii, lenses, photons, ray trees.
 SUBJECTS = {
     "ppm": ["cornell-caustics.yaml", "--photons", "2000", "--set", "render.caustic_photons=2000"],
     "path": ["cornell-box.yaml"],
@@ -173,7 +173,7 @@ class Signals(CheckpointTest):
         self.assertIn("gone/kept: cannot write the file", err)
         self.assertIs(json.loads(out)["interrupted"], True)
         self.assertTrue((self.folder / "a.exr").exists())
-        # What was there is still whole
+        # The earlier files are still intact
         self.succeed("merge", "elsewhere/kept", "--quiet", "-o", "b.exr")
 
     def test_the_reference_stops_too(self):
@@ -186,7 +186,7 @@ class Signals(CheckpointTest):
         self.assertTrue((self.folder / "a.exr").exists())
 
     def test_a_second_signal_ends_the_program_at_once(self):
-        # A pass of minutes: a thousand gathering rays for each of 250 000 pixels
+        # A pass that takes minutes: a thousand gather rays for each of 250 000 pixels
         process = self.start(scene_file("cornell-box.yaml"), "--integrator", "photonmap", "--photons", "1000",
                              "--set", "render.gather_rays=1000", "--resolution", "500x500", "-o", "a.png")
         time.sleep(3)

@@ -5,7 +5,7 @@ from program import CliTest, scene_file
 
 
 class Determinism(CliTest):
-    # Scene and integrator of the pictures that are compared.
+    # Scene and integrator of the compared pictures.
     SUBJECTS = (
         ("cornell-caustics.yaml", "ppm"),
         ("tests/mesh-room.yaml", "ppm"),
@@ -16,7 +16,7 @@ class Determinism(CliTest):
         ("cornell-caustics.yaml", "photonmap"),
         ("tests/all-materials.yaml", "photonmap"),
     )
-    # What lavapipe reads. Where the CPU does not have a width, lavapipe takes a smaller one by itself.
+    # Environment variables of lavapipe, which falls back to a smaller width that the CPU supports.
     ENVIRONMENTS = (
         {},
         {},
@@ -28,7 +28,7 @@ class Determinism(CliTest):
     )
 
     def render(self, scene, integrator, environment):
-        # lavapipe by name: the variables are its own.
+        # lavapipe by name: only it reads these variables.
         options = ["--integrator", integrator, "--resolution", "64x64", "--passes", "3", "--photons", "20000",
                    "--set", "render.caustic_photons=20000", "--set", "render.shadow_photons=4"]
         arguments = ["render", scene_file(scene), *options, "--device", "llvmpipe", "-o", "picture.exr"]
@@ -43,11 +43,11 @@ class Determinism(CliTest):
                 with self.subTest(scene=scene, integrator=integrator, environment=environment):
                     picture, device = self.render(scene, integrator, environment)
                     self.assertTrue(picture == first, "the bytes differ")
-                    if environment.get("LP_NATIVE_VECTOR_WIDTH") == "128":  # every CPU has it
+                    if environment.get("LP_NATIVE_VECTOR_WIDTH") == "128":  # supported by every CPU
                         self.assertIn("128 bits", device, "the variable had no effect")
 
     def test_each_width_compiles_its_own_code(self):
-        """Mesa would take what it compiled for another width, which calls functions of this one: a crash, or no test."""
+        """Mesa's cache would return code compiled for another width, which calls functions of this one: a crash, or no real test."""
         cache = self.folder / "cache"
         for width in ("256", "128"):
             environment = {"XDG_CACHE_HOME": str(cache), "LP_NATIVE_VECTOR_WIDTH": width}

@@ -1,4 +1,4 @@
-"""The estimated error of a picture: that it is right, that it ends a render, and what is said of it."""
+"""The estimated error of a picture: it is accurate, it ends a render, and it is reported."""
 
 import json
 import math
@@ -6,7 +6,7 @@ import math
 from exr import Picture
 from program import USAGE, SCENE, CliTest, scene_file
 
-# Edges, mirrors and glass; soft shadows; caustics and noise of photons. Small, so that all take some seconds.
+# Edges, mirrors and glass; soft shadows; caustics and photon noise. Small, so that each takes a few seconds.
 SCENES = {
     "reflections": ["--integrator", "whitted", "--resolution", "48x48"],
     "cornell-box": ["--integrator", "whitted", "--max-depth", "5", "--resolution", "48x48"],
@@ -16,7 +16,7 @@ SCENES = {
 
 class TargetError(CliTest):
     def render(self, scene, *options):
-        """The report; a warning may be on stderr."""
+        """The report; stderr may have a warning."""
         result = self.run_program("render", scene, *options, "--json")
         self.assertEqual(result.returncode, 0, result.stderr)
         return json.loads(result.stdout), result.stderr
@@ -35,10 +35,11 @@ class TargetError(CliTest):
         return report, self.succeed_json("compare", "a.exr", "true.exr")["relmse"]
 
     def test_a_render_stops_at_the_error_asked_for_and_the_true_error_is_what_it_says(self):
-        # The square of the estimate is what relMSE is to be on average. Of a single picture's, pixels whose variance
-        # few paths decide can be half: so the sums over some seeds are compared. Another seed and eight times the
-        # passes: its own error adds 6 % at most. The estimate has one degree of freedom a pixel and channel, 2 % or
-        # 4 % over a picture; the rest of the factor is for those pixels still, and for ppm's bias.
+        # The expectation of relMSE is the square of the estimate. In a single picture, half of it can come from pixels
+        # whose variance depends on few paths, so sums over several seeds are compared. The reference picture has
+        # another seed and eight times the passes: its own error adds at most 6 %. The estimate has one degree of
+        # freedom per pixel and channel, 2 % or 4 % over a picture; the rest of the factor covers those pixels and ppm's
+        # bias.
         for name, options in SCENES.items():
             with self.subTest(name):
                 ends = [self.stopped_and_true(scene_file(f"{name}.yaml"), options, seed) for seed in (1, 2, 3)]
@@ -59,7 +60,7 @@ class TargetError(CliTest):
         stop = ["--passes", "1000", "--target-error", "0.05", "-o", "a.exr"]
         device, _ = self.render(scene, *options, *stop)
         reference, _ = self.render(scene, *options, *stop, "--backend", "reference")
-        # Single precision sends at most one path in a hundred another way (see render_test.Backends).
+        # In single precision at most one path in a hundred diverges (see render_test.Backends).
         self.assertAlmostEqual(device["error_estimate"], reference["error_estimate"], delta=0.01 * 0.05)
         self.assertEqual(device["passes"], reference["passes"])
 
@@ -102,5 +103,5 @@ class TargetError(CliTest):
             mean = Picture(self.folder / "a.exr").values()
             error = Picture(self.folder / "a.exr", layer="error").values()
             squares = [e * e / (m * m + 0.01) for e, m in zip(error, mean)]
-            # Sums in single precision of 64 pixels at a time: some roundings of 6e-8
+            # Single-precision sums of 64 pixels at a time: a few roundings of 6e-8
             self.assertAlmostEqual(math.sqrt(sum(squares) / len(squares)) / report["error_estimate"], 1, delta=1e-5)

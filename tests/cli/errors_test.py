@@ -1,4 +1,4 @@
-"""Bad input: each mistake leads to the right exit code and to one clear line on stderr, and leaves no file behind."""
+"""Bad input: each mistake gives the right exit code and one clear line on stderr, and leaves no file behind."""
 
 import functools
 import os
@@ -9,7 +9,7 @@ from program import BAD_INPUT, DEVICE, OUTPUT, SCENE, USAGE, CliTest, Setup
 
 
 class Refusals(CliTest):
-    """A table of cases is a dictionary: what is wrong -> arguments, and the words that the message must have."""
+    """A table of cases is a dictionary: mistake -> arguments, and the words required in the message."""
 
     def assert_all_refused(self, code, cases, **options):
         self.write("scene.yaml", SCENE)
@@ -20,7 +20,7 @@ class Refusals(CliTest):
 
 class SceneFiles(Refusals):
     def assert_place_refused(self, part, marked, *words):
-        """Replaces part of the good scene. The mistake is where the dollar sign stands in `marked`."""
+        """Replaces part of the valid scene. The dollar sign in `marked` is the place of the mistake."""
         self.assertIn(part, SCENE)
         text = SCENE.replace(part, marked)
         before = text[: text.index("$")]
@@ -67,7 +67,7 @@ class SceneFiles(Refusals):
     def test_a_bad_mesh_is_refused_at_its_place(self):
         with_mesh = SCENE.replace("{type: sphere, radius: 1}", "{type: mesh, file: shape.obj}")
         self.write("mesh.yaml", with_mesh)
-        # The value of 'file' stands on line 6: objects: [{shape: {type: mesh, file: shape.obj}, ...
+        # The value of 'file' is on line 6: objects: [{shape: {type: mesh, file: shape.obj}, ...
         column = with_mesh.splitlines()[5].index("shape.obj") + 1
         with self.subTest("missing file"):
             words = [f"mesh.yaml:6:{column}: ", "shape.obj", "no such file"]
@@ -119,7 +119,7 @@ class Usage(Refusals):
         })  # fmt: skip
 
     def test_a_limit_that_no_number_can_exceed_is_wrong_usage(self):
-        # NaN compares false with everything: taken as a limit or bar it would silently never hold, or always.
+        # NaN compares false with everything: as a limit or threshold it would silently never apply, or always.
         self.assert_all_refused(USAGE, {
             "time nan": (["render", "scene.yaml", "--time", "nan"], "--time"),
             "time 0": (["render", "scene.yaml", "--time", "0"], "--time"),
@@ -152,7 +152,7 @@ class Outputs(Refusals):
         (self.folder / "dangling.png").symlink_to("missing/x.png")
         os.mkfifo(self.folder / "pipe.png")
 
-        # A pass takes about a millisecond: a million of them would outlast this test's limit by far.
+        # A pass takes about a millisecond: a million passes far exceed this test's time limit.
         def render(*outputs):
             return ["render", "scene.yaml", "--passes", "1000000", *(word for path in outputs for word in ("-o", path))]
 
@@ -162,14 +162,14 @@ class Outputs(Refusals):
             "it is a pipe": (render("pipe.png"), "pipe.png", "pipe"),
             "its folder is a file": (render("scene.yaml/x.png"), "scene.yaml/x.png", "Not a directory"),
             "a link into a missing folder": (render("dangling.png"), "dangling.png", "folder does not exist"),
-            # The file system of /proc takes no new files, not even root's.
+            # The file system of /proc accepts no new files, not even from root.
             "the file system takes no files": (render("/proc/x.png"), "/proc/x.png"),
             "the name is too long": (render("n" * 300 + ".png"), "name is too long"),
             "the second of two": (render("good.png", "missing/x.exr"), "missing/x.exr"),
         }, timeout=20)  # fmt: skip
 
     def test_a_file_that_outgrows_the_systems_limit_is_reported_and_removed(self):
-        # As a full disk would: the first bytes are taken, the rest is not. The reference writes no other files.
+        # Simulates a full disk: only the first bytes can be written. The reference writes no other files.
         limit = functools.partial(resource.setrlimit, resource.RLIMIT_FSIZE, (200, 200))
         self.write("scene.yaml", SCENE)
         arguments = ["render", "scene.yaml", "--backend", "reference", "--resolution", "64x64", "-o", "x.exr"]
@@ -195,7 +195,7 @@ class Devices(Refusals):
         })  # fmt: skip
 
     def test_without_a_driver_the_message_says_what_to_install(self):
-        # The loader's old and new variable; it looks nowhere else when they are set.
+        # The loader's old and new variable; if they are set, it searches nowhere else.
         nowhere = {"VK_DRIVER_FILES": "/nonexistent", "VK_ICD_FILENAMES": "/nonexistent"}
         words = ["no Vulkan driver", "mesa-vulkan-drivers", "scripts/install-deps.sh"]
         self.assert_all_refused(DEVICE, {"render": (["render", "scene.yaml"], *words)}, environment=nowhere)

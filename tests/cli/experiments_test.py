@@ -1,4 +1,4 @@
-"""What is there for experiments: GLSL that a scene brings along, and arrays of stages for NumPy."""
+"""Features for experiments: a scene's own GLSL, and arrays of stages for NumPy."""
 
 import ast
 import signal
@@ -30,7 +30,7 @@ class CustomCode(CliTest):
         return (self.folder / "out.exr").read_bytes()
 
     def test_a_texture_in_glsl_is_what_it_returns(self):
-        # 0.25 everywhere, by way of the parameters: the picture of a plain albedo of 0.25
+        # The parameters give 0.25 everywhere: the same picture as a plain albedo of 0.25
         self.write("quarter.glsl", "vec3 quarter(vec3 p, vec2 uv, vec4 k) { return vec3(k.y / k.x); }\n")
         custom = self.render(TEXTURED % "quarter.glsl")
         plain = self.render(SCENE.replace("{type: diffuse}", "{type: diffuse, albedo: 0.25}"))
@@ -45,13 +45,13 @@ class CustomCode(CliTest):
         scene = FILTERED.replace("objects: [", "objects: [{shape: {type: quad, corner: [-3, -1, -3], edges: [[0, 0, 6], [6, 0, 0]]}, material: gray}, ")
         scene = scene.replace("photons: 100", "photons: 5000")
         self.write("f.glsl", "float f(float u) { return 2.0; }\n")
-        even = self.render(scene)  # divided by its mean, a constant is no filter; a power of two rounds nothing
+        even = self.render(scene)  # divided by its mean, a constant filter has no effect; a power of two causes no rounding
         self.assertEqual(even, self.render(scene.replace("filter: custom, filter_file: f.glsl", "filter: none")))
         self.write("f.glsl", "float f(float u) { return 1.0 - u; }\n")
         self.assertNotEqual(self.render(scene), even)
 
     def test_a_material_in_glsl_reflects_what_it_returns(self):
-        # 0.25 at every angle is a mirror of 0.25, smooth, and a little more at none; the same function serves two materials
+        # 0.25 at every angle is a smooth mirror of reflectance 0.25; the same function serves two materials
         objects = "{shape: {type: quad, corner: [-3, -1, -3], edges: [[0, 0, 6], [6, 0, 0]]}, material: %s}, "
         scene = SCENE.replace("objects: [", "objects: [" + objects % "own")
         self.write("share.glsl", "vec3 share(float cosine, vec4 k) { return vec3(k.x, k.y, 2.0 * cosine - 9.0); }\n")
@@ -107,7 +107,7 @@ class CustomCode(CliTest):
         result = self.run_program("parity", "scene.yaml", "--resolution", "8x8")
         self.assertEqual(result.returncode, 1, result.stderr)
         self.assertIn("shade_surface has no twin to compare with: it runs the scene's own quarter.glsl", result.stdout)
-        # What does not run it is compared all the same
+        # Stages that do not run the code are still compared
         self.assertRegex(result.stdout, r"trace_closest .* passed")
 
 
@@ -129,7 +129,7 @@ class Dumps(CliTest):
         self.assertEqual((header["descr"], header["shape"]), ("<f4", (64, 3)))
         self.assertEqual(origins, struct.pack("<3f", 0, 0, 4) * 64)
         header, objects = read_npy(self.folder / "trace_closest.hits.object.npy")
-        # The middle rays meet the one object; those of the corners, which pass the sphere by, none
+        # The central rays hit the only object; the corner rays miss the sphere
         self.assertEqual(struct.unpack("<64I", objects)[8 * 4 + 4], 0)
         self.assertEqual(struct.unpack("<64I", objects)[0], 0xFFFFFFFF)
 
@@ -154,7 +154,7 @@ class Dumps(CliTest):
 
 
 class LivePage(CliTest):
-    """What hyalite live refuses, and leaves; tests/browser/live_test.py has what it does."""
+    """Requests that hyalite live refuses, and files it leaves behind; tests/browser/live_test.py tests its functions."""
 
     def test_who_has_no_home_has_a_cache_that_nobody_else_can_reach(self):
         self.write("scene.yaml", SCENE)
@@ -168,7 +168,7 @@ class LivePage(CliTest):
             (folder,) = temporary.iterdir()
             self.assertEqual(stat.S_IMODE(folder.stat().st_mode), 0o700)
             self.assertRegex(folder.name, "^hyalite-[A-Za-z0-9]{6}$")
-            self.assertNotEqual(folder.name, f"hyalite-{server.pid}")  # whoever sees its number could have put it there
+            self.assertNotEqual(folder.name, f"hyalite-{server.pid}")  # a number that is visible could have been planted by someone else
             server.send_signal(signal.SIGINT)
             self.assertEqual(server.wait(TIMEOUT), 0)
         finally:
@@ -184,7 +184,7 @@ class LivePage(CliTest):
             (["--port", "70000"], ["--port"]),
             (["--limit", "0"], ["--limit"]),
             (["--shaders", "."], ["not a folder of shaders"]),
-            (["--host", "203.0.113.7", "--port", "0"], ["cannot listen at 203.0.113.7"]),  # no address of this machine
+            (["--host", "203.0.113.7", "--port", "0"], ["cannot listen at 203.0.113.7"]),  # not an address of this machine
             (["--set", "render.passes"], ["no value"]),
         ):
             with self.subTest(options=options):

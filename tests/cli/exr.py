@@ -1,5 +1,4 @@
-"""Reads the EXR files that hyalite writes, by the published file layout alone, so that a test of pixel values does not
-lean on the program's own reader: one part of scan lines, 32-bit float channels, ZIP compression or none.
+"""Reads the EXR files that hyalite writes, from the published file layout, so that tests of pixel values do not depend on the program's own reader: one part of scan lines, 32-bit float channels, ZIP compression or none.
 """
 
 import array
@@ -19,7 +18,7 @@ def text_at(data, position):
 
 
 def read_header(data):
-    """Attributes by name as bytes, and where the header ends."""
+    """Attributes by name as bytes, and the end of the header."""
     assert data[:4] == MAGIC, "not an EXR file"
     assert struct.unpack_from("<I", data, 4)[0] & ~0xFF == 0, "tiled, deep, multi-part or with long names"
     attributes, position = {}, 8
@@ -44,7 +43,7 @@ def channel_names(attribute):
 
 
 def unzip(block, size):
-    """ZIP as OpenEXR has it: deflated differences of bytes, all even bytes first. Not smaller: stored as it is."""
+    """OpenEXR's ZIP: deflated byte differences, all even bytes first. Data that would not shrink is stored raw."""
     if len(block) == size:
         return block
     encoded = zlib.decompress(block)
@@ -60,7 +59,7 @@ def unzip(block, size):
 
 
 class Picture:
-    """Channel name -> list of rows of floats, row 0 at the top. `layer`: whose pixels at() gives."""
+    """Channel name -> list of rows of floats, row 0 at the top. `layer`: the one whose pixels at() returns."""
 
     def __init__(self, path, layer=""):
         self.layer = layer + "." if layer else ""

@@ -1,4 +1,4 @@
-"""Things that go wrong around a render: a full disk, a folder that goes away, damaged caches, a lost device, no memory."""
+"""Failures around a render: a full disk, a folder that disappears, damaged caches, a lost device, no memory."""
 
 import os
 import resource
@@ -8,7 +8,7 @@ import time
 
 from program import OUTPUT, SCENE, TIMEOUT, CliTest, command_line, default_environment
 
-# Address space for driver and compiler, but not for the 10 GB that 4096 x 4096 pixels take [bytes]
+# Enough address space for driver and compiler, but not for the 10 GB of 4096 x 4096 pixels [bytes]
 TOO_LITTLE = 4 << 30
 
 
@@ -22,7 +22,7 @@ class Faults(CliTest):
                                 **options)
 
     def test_a_disk_that_is_full_leaves_the_old_picture_and_no_half_of_the_new(self):
-        # A limit on the size of files stands for it: 4 KiB are less than 64 x 64 pixels of noise
+        # Simulated by a limit on file size: 4 KiB is less than 64 x 64 pixels of noise
         def limit():
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
             resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
@@ -30,7 +30,7 @@ class Faults(CliTest):
         self.write("scene.yaml", SCENE.replace("resolution: [8, 8]", "resolution: [64, 64]"))
         self.write("out.exr", "the old one")
         before = self.contents()
-        # By the reference: the driver maps files into memory, and is killed where they find no room
+        # Uses the reference: the driver maps files into memory, and is killed if the disk has no room for them
         result = self.run_program("render", "scene.yaml", "--quiet", "-o", "out.exr", "--backend", "reference", preexec_fn=limit)
         self.assertEqual(result.returncode, OUTPUT, result.stderr)
         self.assertIn("larger than the system allows", result.stderr)
@@ -52,7 +52,7 @@ class Faults(CliTest):
         self.assertEqual(process.returncode, OUTPUT, said)
         self.assertIn("pictures/out.exr", said)
         self.assertIn("the folder does not exist", said)
-        # The work is not lost: it is in the checkpoint
+        # The work is not lost: the checkpoint has it
         self.succeed("merge", "kept", "-o", "out.exr", "--quiet")
 
     def test_two_renders_at_once_fill_one_cache_and_make_the_same_bytes(self):
@@ -73,15 +73,15 @@ class Faults(CliTest):
         for number, path in enumerate(damaged):
             content = path.read_bytes()
             middle = len(content) // 2
-            # Cut off, overwritten in the middle, and emptied, by turns
+            # Truncated, overwritten in the middle, and emptied, in turn
             path.write_bytes([content[:middle], content[:middle] + b"damaged!" + content[middle + 8:], b""][number % 3])
         result = self.render(cache, "second.exr")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertEqual((self.folder / "first.exr").read_bytes(), (self.folder / "second.exr").read_bytes())
 
     def test_the_bits_do_not_depend_on_when_the_driver_looks_up_its_width(self):
-        # Kernels are made while others are compiled to machine code; only with cold caches are many under way at once.
-        # Bits that depended on it did so in two of eight such renders
+        # Kernels are created while others are compiled to machine code; many overlap only with cold caches. When bits
+        # depended on it, two of eight such renders differed
         self.assertEqual(self.render(self.folder / "cache", "right.exr").returncode, 0)
         slow = {"LD_PRELOAD": os.environ["HYALITE_TEST_LAYERS"] + "/libslow_environment.so", "LP_NATIVE_VECTOR_WIDTH": "128"}
         for i in range(3):
@@ -109,7 +109,7 @@ class Faults(CliTest):
 
 
 class NoMemory(CliTest):
-    """Not under AddressSanitizer, which reserves thousands of gigabytes of address space at its start."""
+    """Not under AddressSanitizer, which reserves terabytes of address space at startup."""
 
     def test_without_memory_the_program_says_so_and_writes_nothing(self):
         self.write("scene.yaml", SCENE)

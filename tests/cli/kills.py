@@ -1,9 +1,9 @@
-"""Kills renders at random moments (SIGKILL) and looks at what they leave: PROGRAM COUNT [SEED [cold]].
+"""Kills renders at random moments (SIGKILL) and checks the files they leave: PROGRAM COUNT [SEED [cold]].
 
-Each render goes on from the checkpoint of the one before. After every kill the checkpoint must be whole or not there yet,
-never hold fewer passes than before, and a picture that is there must be whole. A render that gets to its end must have
-made the bytes of one that nobody killed; then the next begins anew: `cold` gives it empty caches. Where something is
-wrong the folder with scene, pictures, checkpoint and caches stays, and is named.
+Each render resumes from the checkpoint of the previous one. After every kill the checkpoint must be intact or not exist
+yet, never hold fewer passes than before, and an existing picture must be complete. A render that finishes must produce the
+bytes of an uninterrupted one; then the next starts from scratch: `cold` gives it empty caches. On failure the folder with
+scene, pictures, checkpoint and caches is kept, and its path printed.
 """
 
 import json
@@ -33,7 +33,7 @@ def run(program, folder, arguments, environment):
 
 
 def passes_kept(program, folder, environment):
-    """How many passes the checkpoint holds; 0: it is not there."""
+    """Number of passes in the checkpoint; 0: it does not exist."""
     if not (folder / "kept").exists():
         return 0
     result = run(program, folder, ["merge", "kept", "-o", "merged.exr", "--json"], environment)
@@ -43,7 +43,7 @@ def passes_kept(program, folder, environment):
 
 
 def check_end(program, folder, exit_code, environment):
-    """Raises AssertionError unless a render ended well, with the bytes of the whole one; says which of the two is odd."""
+    """Raises AssertionError unless a render succeeded with the bytes of the uninterrupted one; says which condition failed."""
     if exit_code != 0:
         raise AssertionError(f"exit code {exit_code}")
     picture, whole = ((folder / name).read_bytes() for name in ("picture.exr", "whole.exr"))
@@ -56,7 +56,7 @@ def check_end(program, folder, exit_code, environment):
 
 
 def kill_renders(program, count, seed=1, environment=None, cold=False):
-    """Returns how many kills hit a render that was running, how many renders came to their end, and leftovers."""
+    """Returns the number of kills that hit a running render, the number of renders that finished, and leftovers."""
     environment = dict(os.environ if environment is None else environment)
     choose = random.Random(seed)
     kills = ends = 0

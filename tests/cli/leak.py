@@ -1,8 +1,8 @@
-"""Watches the memory of a long render: PROGRAM SCENE SECONDS. Fails where it grows after the first minute.
+"""Watches the memory of a long render: PROGRAM SCENE SECONDS. Fails if it grows after the first minute.
 
-A shorter run counts from its first quarter on. What is resident is looked at every half second; the median of the last
-tenth of what counts is held against that of the first, and may be a hundredth and 1 MiB more. Now and then a checkpoint
-is seen being made, which takes a copy of the film for a moment: that is no growth.
+A shorter run counts from its first quarter on. Resident memory is sampled every half second; the median of the last tenth
+of the samples may exceed that of the first tenth by 1 % plus 1 MiB. Some samples fall into the writing of a checkpoint,
+which copies the film for a moment: that is not growth.
 """
 
 import pathlib
@@ -15,7 +15,7 @@ import time
 
 
 def resident(process):
-    """[KiB]; None: it has ended."""
+    """[KiB]; None: the process has ended."""
     try:
         found = re.search(r"VmRSS:\s+(\d+) kB", pathlib.Path(f"/proc/{process.pid}/status").read_text())
     except FileNotFoundError:
@@ -24,7 +24,7 @@ def resident(process):
 
 
 def watch(program, scene, seconds):
-    """What was resident [KiB], and when [s]."""
+    """Resident memory [KiB] and the times of the samples [s]."""
     seen = []
     with tempfile.TemporaryDirectory() as folder:
         process = subprocess.Popen([program, "render", scene, "--quiet", "--resolution", "128x128", "--passes", "100000000",

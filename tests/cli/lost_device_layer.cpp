@@ -1,5 +1,5 @@
-// A Vulkan layer whose device is lost at a submission: of all a driver can answer, what no software driver ever does.
-// HYALITE_LOSE_AT counts the submissions of the process that go well before.
+// A Vulkan layer that reports a lost device at a submission: an error that no software driver ever returns.
+// HYALITE_LOSE_AT is the number of submissions of the process that succeed first.
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
 
@@ -9,7 +9,7 @@
 
 namespace {
 
-// The next ones below this layer. A process of the tests makes its devices on one driver.
+// The next functions below this layer. A test process creates all its devices on one driver.
 struct Below {
     PFN_vkGetInstanceProcAddr instance = nullptr;
     PFN_vkGetDeviceProcAddr device = nullptr;
@@ -37,7 +37,7 @@ Link* linkOf(const Info* info, VkStructureType type) {
     while (link != nullptr && (link->sType != type || link->function != VK_LAYER_LINK_INFO)) {
         link = static_cast<const Link*>(link->pNext);
     }
-    return const_cast<Link*>(link); // layers move it on to the next one: so the loader's interface has it
+    return const_cast<Link*>(link); // each layer advances it to the next one, as the loader's interface requires
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, const VkAllocationCallbacks* memory,

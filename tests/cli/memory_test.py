@@ -1,5 +1,4 @@
-"""What a render takes of the device's memory: what docs/performance.md says, and an error before work starts where
-there is no room."""
+"""Device memory of a render: as docs/performance.md states, and an error before work starts if it does not fit."""
 
 import re
 
@@ -7,7 +6,7 @@ from program import DEVICE, CliTest, Setup
 
 
 def documented():
-    """Bytes by what they are for, from the table of docs/performance.md: | `ppm`, a pixel | 123 | …"""
+    """Bytes by purpose, from the table of docs/performance.md: | `ppm`, a pixel | 123 | …"""
     text = (Setup.source / "docs/performance.md").read_text()
     section = text.split("## Memory\n")[1].split("\n## ")[0]
     return {name: float(value) for name, value in re.findall(r"^\| ([^|]+?) \| ([\d.]+) \|", section, re.M)}
@@ -49,7 +48,7 @@ class Memory(CliTest):
         counts = [self.succeed_json("bench", scene, "--stage", "camera", "--runs", "1")["scenes"][0]["triangles"]
                   for scene in (few, many)]
         sizes = [self.bytes_of(scene, "--resolution", "8x8", "--photons", "100") for scene in (few, many)]
-        # How many triangles share a node depends on the mesh
+        # The number of triangles per node depends on the mesh
         self.assert_like("a triangle with normals", (sizes[1] - sizes[0]) / (counts[1] - counts[0]), 0.05)
 
     def test_what_does_not_fit_is_refused_before_work_starts(self):

@@ -1,4 +1,4 @@
-"""Numbers that are no radiance: counted, named by pixel and pass, and kept out of every file."""
+"""Invalid radiance values: counted, reported by pixel and pass, and kept out of every file."""
 
 import json
 import math
@@ -7,7 +7,7 @@ import shutil
 from exr import Picture
 from program import SCENE, CliTest, Setup
 
-# What a shader that has gone wrong may leave: the kind, a value, and the pixel of 8 x 8 where it stands.
+# Values that a faulty shader may write: the kind, a value, and its pixel in the 8 x 8 picture.
 FAULTS = {
     "not a number": ("uintBitsToFloat(0x7fc00000u)", 19),
     "infinite": ("uintBitsToFloat(0x7f800000u)", 20),
@@ -39,7 +39,7 @@ class Numbers(CliTest):
             look = f"hyalite inspect scene.yaml --pixel {where} --pass 1"
             self.assertIn(f"{said} (look at it with: {look})", warnings)
             self.assertIn(said, result.stderr)
-            self.assertIn(said, merged.stderr)  # the checkpoint remembers
+            self.assertIn(said, merged.stderr)  # the checkpoint keeps the counts
         self.assertTrue(all(math.isfinite(v) and v >= 0 for v in Picture(self.folder / "a.exr").values()))
         shown = self.run_program(*look.split()[1:], "--shaders", "shaders")
         self.assertEqual(shown.returncode, 0, shown.stderr)

@@ -1,4 +1,4 @@
-"""hyalite parity and hyalite inspect: what agrees passes, what does not is found, and where."""
+"""hyalite parity and hyalite inspect: agreement passes, and differences are found with their place."""
 
 import json
 import re
@@ -28,10 +28,10 @@ class Scenes(CliTest):
                 self.assertLess(time.monotonic() - begin, BAR)
                 for paths in result["paths"].values():
                     self.assertEqual(paths["unexplained"], 0)
-                    # Mirrors a thousandth of the scene wide: what rounds a position to 24 bits turns a ray by 1e-4
+                    # Mirrors a thousandth of the scene wide: rounding a position to 24 bits turns a ray by 1e-4
                     small_mirrors = scene.name == "instances.yaml"
                     self.assertGreaterEqual(paths["share_stepwise"], 0.995 if small_mirrors else 0.999)
-                    # Roundings grow tenfold at each curved surface: in teapots of glass, 3 paths in a hundred part
+                    # Rounding errors grow tenfold at each curved surface: in glass teapots, 3 % of the paths differ
                     self.assertGreaterEqual(paths["share"], 0.999 if scene.name == "cornell-caustics.yaml" else 0.97)
 
     def test_the_sides_agree_with_every_integrator(self):
@@ -45,7 +45,7 @@ class Scenes(CliTest):
 class Comparison(CliTest):
     def test_every_kernel_has_a_twin_that_some_test_scene_asks(self):
         kernels = {path.stem for path in (Setup.source / "shaders/kernels").glob("*.comp")}
-        # self_test has known answers, nearest_photons is asked by tests alone, show_surface by them and the live page
+        # self_test has known answers, nearest_photons is used only by tests, show_surface by tests and the live page
         kernels -= {"self_test", "nearest_photons", "show_surface"}
         seen = set()
         runs = [
@@ -58,7 +58,7 @@ class Comparison(CliTest):
             ("reflections.yaml",),
         ]
         for scene, *options in runs:
-            # One of them has so many photons that their prefix sums take several dispatches
+            # One scene has so many photons that their prefix sums take several dispatches
             photons = 20000 if scene == "glass-ball.yaml" else 2048
             result = self.succeed_json("parity", scene_file(scene), *small(passes=2, photons=photons), *options)
             seen |= {stage["name"] for stage in result["stages"] if stage["has_twin"]}
@@ -105,7 +105,7 @@ class Report(CliTest):
         self.succeed("parity", scene_file("cornell-caustics.yaml"), "--report", "found")
         page = (self.folder / "found/parity.html").read_text()
         self.assertLess(len(page), 5_000_000)
-        self.assertNotRegex(page, r"@[A-Z]+@")  # every place of the template is filled
+        self.assertNotRegex(page, r"@[A-Z]+@")  # every placeholder of the template is filled
         addresses = set(re.findall(r"https?://[^\s\"'<>]+", page))
         self.assertEqual(addresses, {"http://www.w3.org/2000/svg"})  # a name, not an address
         data = re.search(r"^const pixels = (.*);$", page, re.MULTILINE)
@@ -119,7 +119,7 @@ def named(scene):
 
 
 def copy_shaders(to):
-    """The shaders, as they are, in a folder of their own."""
+    """An unmodified copy of the shaders in its own folder."""
     source = Setup.source / "shaders"
     for path in source.rglob("*"):
         if path.suffix in (".comp", ".glsl", ".h"):
@@ -129,7 +129,7 @@ def copy_shaders(to):
     return to
 
 
-# Stages that run with many photons alone: see kFewValues of prefix_sum.cpp.
+# Stages that run only with many photons: see kFewValues in prefix_sum.cpp.
 PHOTONS = {"split_nodes": 4096, "sum_chunks": 20000, "scan_chunks": 20000}
 
 

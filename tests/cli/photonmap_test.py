@@ -1,4 +1,4 @@
-"""Photon mapping in two passes as its users see it: the account of flux, saved maps, warnings, layers, views."""
+"""Two-pass photon mapping as users see it: flux account, saved maps, warnings, layers, views."""
 
 import json
 import shutil
@@ -11,7 +11,7 @@ FEW = ["--resolution", "24x24", "--passes", "1", "--max-depth", "8", "--photons"
        "--set", "render.caustic_photons=3000"]
 PHOTON_MAP = ["--integrator", "photonmap", *FEW]
 
-# A glass ball above a floor, in the light of a lamp.
+# A glass ball above a floor, under a point light.
 BALL = """hyalite: 1
 camera: {position: [0, 1, 4], resolution: [16, 16]}
 render: {integrator: photonmap, passes: 1, photons: 2000, caustic_photons: 2000}
@@ -30,7 +30,7 @@ class Flux(CliTest):
         for scene in scenes:
             with self.subTest(scene.name):
                 arguments = ["render", str(scene), *PHOTON_MAP, "--json", "-o", "a.png"]
-                result = self.run_program(*arguments)  # a warning is allowed: some scenes have no caustics to find
+                result = self.run_program(*arguments)  # a warning is allowed: some scenes have no caustics
                 self.assertEqual(result.returncode, 0, result.stderr)
                 report = json.loads(result.stdout)
                 self.assertGreater(len(report["lights"]), 0)
@@ -39,7 +39,7 @@ class Flux(CliTest):
                     for channel in range(3):
                         parts = [light[fate][channel] for fate in ("stored", "absorbed", "escaped", "cut_off")]
                         emitted[channel] += light["emitted"][channel]
-                        # The device adds in floats: along a path a few roundings of 6e-8 each
+                        # The device sums in floats: a few roundings of 6e-8 each along a path
                         self.assertAlmostEqual(sum(parts), light["emitted"][channel],
                                                delta=1e-5 * light["emitted"][channel])
                 self.assertGreater(sum(emitted), 0)
@@ -58,8 +58,8 @@ class Flux(CliTest):
 
 
 class FinalGathering(CliTest):
-    # Within a diffuse sphere every ray ends where it first arrives: one from the camera per pixel and pass, and three to
-    # gather from there.
+    # Inside a diffuse sphere every ray ends at its first hit: one camera ray per pixel and pass, and three gather rays
+    # from there.
     SPHERE = """hyalite: 1
 camera: {position: [0, 0, 0.5], resolution: [9, 7]}
 render: {integrator: photonmap, passes: 2, photons: 500, gather_rays: 3}
@@ -129,7 +129,7 @@ class SavedMaps(CliTest):
         shaders = self.folder / "shaders"
         shutil.copytree(Setup.source / "shaders", shaders)
         self.succeed("render", "ball.yaml", "--load-photons", "maps", "-o", "b.exr", "--shaders", "shaders")
-        # What estimates from photons may change, what traces them may not
+        # Code that estimates from photons may change, code that traces them may not
         for kernel, traces in {"estimate_radiance": False, "scatter_photon": True}.items():
             with self.subTest(kernel):
                 file = shaders / "kernels" / f"{kernel}.comp"
@@ -227,7 +227,7 @@ class Warnings(CliTest):
         return result.stderr
 
     def test_targets_that_no_light_reaches_are_reported(self):
-        # A lid between the lamp and the ball
+        # A lid between the light and the ball
         lid = BALL + "  - {shape: {type: quad, corner: [-3, 2, -3], edges: [[0, 0, 6], [6, 0, 0]]}, material: floor}\n"
         self.assertIn("caustic photons", self.warning(lid))
         self.assertEqual(self.warning(BALL), "")

@@ -1,9 +1,9 @@
-"""Faults to plant in a copy of the shaders, one at a time: parity must find each, at its stage."""
+"""Faults to plant in a copy of the shaders, one at a time: parity must find each one in its stage."""
 
 CAUSTICS, METALS, BOX, TEAPOT = "cornell-caustics.yaml", "metals.yaml", "cornell-box.yaml", "glass-teapot.yaml"
 WHITTED = "tests/mirror-and-glass.yaml"
 
-# What is wrong, where, the text there, what stands in its place, a scene that shows it, and the stage where it shows.
+# The fault, its file, the text there, its replacement, a scene that exposes it, and the stage where it appears.
 FAULTS = [
     ("picture upside down", "camera/camera_ray.glsl", "vec2(2.0, -2.0)", "vec2(2.0, 2.0)", CAUSTICS,
      "generate_camera_rays"),
@@ -24,7 +24,7 @@ FAULTS = [
      "front ? material.ior : 1.0 / material.ior", CAUSTICS, "shade_surface"),
     ("half of Fresnel's equations", "bsdf/interface.glsl", "0.5 * (s * s + p * p)", "s * s", WHITTED,
      "trace_whitted"),
-    ("choice for the lamp not made up for", "kernels/shade_surface.comp", "if (probability != glass.reflectance)",
+    ("biased choice towards the light not compensated", "kernels/shade_surface.comp", "if (probability != glass.reflectance)",
      "if (false)", "tests/lamp-in-glass.yaml", "shade_surface"),
     ("radiance not scaled by the squared indices", "bsdf/microfacets.glsl",
      "transport == kRadiance ? lobe.eta * lobe.eta : 1.0", "1.0",
@@ -53,7 +53,7 @@ FAULTS = [
     ("probability of the light forgotten", "kernels/sample_lights.comp", "args.light == kNone ? light.pmf : 1.0",
      "1.0", METALS,
      "sample_lights"),
-    ("light found in two ways and counted twice", "lights/direct_light.glsl",
+    ("light found by two strategies and counted twice", "lights/direct_light.glsl",
      "powerHeuristic(pmf * toLight.pdfW, max(cosine, 0.0) * kInvPi)", "1.0", CAUSTICS + " --integrator path",
      "sample_lights"),
     ("density of a bounce without its cosine", "kernels/bounce_paths.comp", "cosine * kInvPi", "kInvPi",
@@ -71,7 +71,7 @@ FAULTS = [
      "path.kind == kPhotonDirect ? kPhotonCaustic : path.kind", "kPhotonCaustic", CAUSTICS, "scatter_photon"),
     ("photons remember where they went", "kernels/scatter_photon.comp", "packUnitVector(-direction,",
      "packUnitVector(direction,", CAUSTICS, "scatter_photon"),
-    # Not more than this: sums that are far off send kernels out of their buffers, and that may end the program
+    # Off by no more: sums that are far off make kernels write outside their buffers, which may end the program
     ("last value of every chunk left out", "kernels/sum_chunks.comp", "min(begin + kScanChunk, count)",
      "min(begin + kScanChunk - 1u, count)", CAUSTICS, "sum_chunks"),
     ("compaction that leaves the paths behind", "kernels/compact_paths.comp", "args.nextPaths.at[kPathWords * i + word]",
@@ -84,7 +84,7 @@ FAULTS = [
      CAUSTICS, "fill_cells"),
     ("total of a short prefix sum forgotten", "kernels/scan_group.comp", "args.sums.at[count] = sum;",
      "args.sums.at[count] = 0u;", CAUSTICS, "scan_group"),
-    # In place of a barrier left out, which lavapipe does not show: it runs the threads of a workgroup in order
+    # Stands for a missing barrier, which lavapipe does not expose: it runs the threads of a workgroup in order
     ("a thread that does not see another's share", "kernels/scan_group.comp", "uint before = 0u; before < thread",
      "uint before = thread / (kGroupSize - 1u); before < thread", WHITTED, "scan_group"),
     ("total of a prefix sum forgotten", "kernels/scan_chunks.comp", "args.sums.at[end] = sum;", "args.sums.at[end] = 0u;",
@@ -107,9 +107,9 @@ FAULTS = [
      "trace_whitted"),
     ("light through what stands between", "kernels/trace_whitted.comp",
      "traceScene(args.rootNode, toLight.shadow, true).object == kNone", "true", WHITTED, "trace_whitted"),
-    ("queue begun anew at every bounce", "kernels/scan_group.comp", "queue.before + queue.count", "queue.count",
+    ("queue restarted at every bounce", "kernels/scan_group.comp", "queue.before + queue.count", "queue.count",
      CAUSTICS, "scan_group"),
-    ("first way on listed twice", "kernels/list_next_rays.comp", "args.slotsOfPath * i + child", "args.slotsOfPath * i",
+    ("first next ray listed twice", "kernels/list_next_rays.comp", "args.slotsOfPath * i + child", "args.slotsOfPath * i",
      WHITTED, "list_next_rays"),
     ("a pixel's paths but for the last lost", "kernels/sum_paths.comp", "sum += args", "sum = args", WHITTED, "sum_paths"),
     ("another dimension of the random numbers", "shared/random.h", "return 5u + 4u * vertex", "return 4u + 4u * vertex",

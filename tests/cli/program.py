@@ -1,6 +1,6 @@
-"""What the tests of the command line share: running the program, a folder to run it in, and a small scene.
+"""Shared by the command line tests: running the program, a folder to run it in, and a small scene.
 
-run_class.py says which program and which source tree are tested, before a test runs.
+run_class.py sets the tested program and source tree before a test runs.
 """
 
 import json
@@ -12,11 +12,11 @@ import unittest
 
 USAGE, BAD_INPUT, DEVICE, OUTPUT = 2, 3, 4, 5
 
-# Far beyond what any of these runs takes; a program that hangs fails its test instead of hanging the suite. Builds that
-# check as they go ask for more.
+# Far longer than any of these runs; a program that hangs fails its test instead of hanging the suite. Sanitizer and
+# checked builds need more.
 TIMEOUT = 120 * float(os.environ.get("HYALITE_TEST_PATIENCE", "1"))  # [s]
 
-# The smallest scene that lights something. Tests put their mistake in place of one of its parts.
+# The smallest scene that lights something. Tests replace one of its parts by their mistake.
 SCENE = """hyalite: 1
 camera: {position: [0, 0, 4], resolution: [8, 8]}
 render: {passes: 1, photons: 100}
@@ -27,7 +27,7 @@ objects: [{shape: {type: sphere, radius: 1}, material: gray}]
 
 
 class Setup:
-    """Where things are; filled in by run_class.py."""
+    """Paths; filled in by run_class.py."""
 
     program = None
     source = None
@@ -39,7 +39,7 @@ def scene_file(name):
 
 
 def default_environment():
-    """The caller's, without switches that are hyalite's, and with one cache of compiled shaders for all tests."""
+    """The caller's environment without hyalite's variables, and with one cache of compiled shaders for all tests."""
     own = {name: value for name, value in os.environ.items() if not name.startswith("HYALITE_")}
     return {**own, "XDG_CACHE_HOME": str(Setup.cache)}
 
@@ -48,7 +48,7 @@ ON_THE_DEVICE = {"render", "parity", "inspect", "bench", "live"}
 
 
 def command_line(arguments):
-    """The program with its arguments; what works on the device runs under the validation layers when they are wanted."""
+    """The program with its arguments; commands that use the device run under the validation layers if requested."""
     command = [str(Setup.program), *map(str, arguments)]
     if "HYALITE_VALIDATION" in os.environ and ON_THE_DEVICE & set(arguments[:1]) and "reference" not in arguments:
         command.append("--validation")
@@ -56,7 +56,7 @@ def command_line(arguments):
 
 
 class CliTest(unittest.TestCase):
-    """Runs the program in an empty folder of its own, `self.folder`."""
+    """Runs the program in its own empty folder, `self.folder`."""
 
     maxDiff = None
 
@@ -72,7 +72,7 @@ class CliTest(unittest.TestCase):
         return path
 
     def run_program(self, *arguments, environment=None, **options):
-        """Runs to the end whatever comes of it. `environment` is added to the default one."""
+        """Runs to the end, whatever the exit code. `environment` is added to the default one."""
         return subprocess.run(
             command_line(list(arguments)),
             cwd=self.folder,
@@ -82,7 +82,7 @@ class CliTest(unittest.TestCase):
         )
 
     def succeed(self, *arguments, **options):
-        """Runs; fails the test unless the exit code is 0 and nothing is on stderr. Returns what is on stdout."""
+        """Runs; fails the test unless the exit code is 0 and stderr is empty. Returns stdout."""
         result = self.run_program(*arguments, **options)
         self.assertEqual((result.returncode, result.stderr), (0, ""), arguments)
         return result.stdout
@@ -98,7 +98,7 @@ class CliTest(unittest.TestCase):
         return found
 
     def assert_refused(self, code, words, arguments, **options):
-        """The whole contract of a failure: its exit code, one line on stderr that says `words`, and nothing else."""
+        """The full contract of a failure: its exit code, one line on stderr that contains `words`, and nothing else."""
         before = self.contents()
         result = self.run_program(*arguments, **options)
         said = f"exit code {result.returncode}, stderr: {result.stderr!r}, stdout: {result.stdout!r}"
@@ -107,6 +107,6 @@ class CliTest(unittest.TestCase):
         self.assertTrue(result.stderr.endswith("\n") and result.stderr.count("\n") == 1, f"not one line: {said}")
         for word in words:
             self.assertIn(word, result.stderr, said)
-        if result.stdout is not None:  # None: the test sent it elsewhere
+        if result.stdout is not None:  # None: the test redirected it
             self.assertEqual(result.stdout, "", said)
         self.assertEqual(self.contents(), before, f"files changed, appeared or went away: {said}")

@@ -1,4 +1,4 @@
-"""`hyalite render` does what its options say and reports what it did; doctor, --version and --help inform."""
+"""`hyalite render` follows its options and reports what it did; doctor, --version and --help print information."""
 
 import os
 import pathlib
@@ -22,7 +22,7 @@ class RenderTest(CliTest):
         self.cornell = scene_file("cornell-caustics.yaml")
 
     def picture(self, *options, scene=None):
-        """Channels of the default scene in small, rendered with these options on top."""
+        """Channels of the default scene at low resolution, rendered with these additional options."""
         self.succeed("render", scene or self.cornell, *SMALL, *options, "--quiet", "-o", "picture.exr")
         return Picture(self.folder / "picture.exr").channels
 
@@ -38,8 +38,8 @@ class Pictures(RenderTest):
         self.assertEqual(struct.unpack_from(">II", png, 16), (20, 12))  # IHDR
         picture = Picture(self.folder / "a.exr")
         self.assertEqual((picture.width, picture.height), (20, 12))
-        # 8-bit sRGB is off by half a step, 0.5/255, at most. The slope of sRGB's decoding is largest at 1, where it is
-        # 2.4/1.055 = 2.275, so that in linear radiance the two differ by at most 0.5/255 * 2.275 = 0.0045.
+        # 8-bit sRGB is off by at most half a step, 0.5/255. The slope of sRGB's decoding is largest at 1, where it is
+        # 2.4/1.055 = 2.275, so in linear radiance the two differ by at most 0.5/255 * 2.275 = 0.0045.
         largest = self.succeed_json("compare", "a.png", "a.exr")["largest_difference"]["value"]
         self.assertLess(largest, 0.0045)
 
@@ -52,7 +52,7 @@ class Pictures(RenderTest):
         self.write("scene.yaml", SCENE)
         self.succeed("render", "scene.yaml", "--quiet", "-o", "new.exr", "-o", "new.png")
         for ending in ("exr", "png"):
-            # Longer than the picture: what is written over in place would keep its end.
+            # Longer than the picture: a file overwritten in place would keep its end.
             junk = b"junk" * 100000
             os.link(self.write(f"old.{ending}", junk), self.folder / f"other-name.{ending}")
             self.succeed("render", "scene.yaml", "--quiet", "-o", f"old.{ending}")
@@ -108,7 +108,7 @@ class Settings(RenderTest):
         self.assertEqual(self.picture(*TWO_PASSES, scene="cornell.yaml"), by_option)
 
     def test_integrator_and_depth_may_be_changed_together_in_any_order(self):
-        # The scene asks for whitted and depth 0, which ppm does not take; both are given anew.
+        # The scene has whitted and depth 0, which ppm rejects; both are overridden.
         floor = scene_file("tests/point-light-floor.yaml")
         integrator, depth = ["--integrator", "ppm"], ["--max-depth", "4"]
         for options in ([*integrator, *depth], [*depth, *integrator]):
@@ -117,13 +117,13 @@ class Settings(RenderTest):
                 self.assertEqual(report["integrator"], "ppm")
 
     def test_a_time_limit_ends_the_render_before_its_passes_are_done(self):
-        # One pass at this size takes some hundredths of a second: 100000 would take an hour.
+        # One pass at this size takes a few hundredths of a second: 100000 would take an hour.
         options = ["--resolution", "64x64", "--photons", "20000", "--passes", "100000", "--time", "1", "-o", "x.png"]
         start = time.monotonic()
         report = self.succeed_json("render", self.cornell, *options)
         self.assertGreaterEqual(report["passes"], 1)
         self.assertLess(report["passes"], 100000)
-        # The limit, and what two passes and the start of the program may take on a busy machine.
+        # The limit, plus the time of two passes and program start on a busy machine.
         self.assertLess(report["seconds"]["render"], 3)
         self.assertLess(time.monotonic() - start, 20)
 
@@ -151,10 +151,10 @@ class Reports(RenderTest):
         counts, seconds = report["counts"], report["seconds"]
         self.assertEqual(counts["photons_emitted"], 2 * 2000)  # passes x photons
         self.assertGreater(counts["photons_stored"], 0)
-        # Every photon takes at least the way from the light, and is stored at the end of a way at most once.
+        # Every photon has at least the segment from the light, and is stored at most once per segment.
         self.assertGreaterEqual(counts["photon_rays"], counts["photons_emitted"])
         self.assertLessEqual(counts["photons_stored"], counts["photon_rays"])
-        # One ray a pixel and pass, and more through glass and mirrors. Some of the pixels see the box.
+        # One ray per pixel and pass, and more through glass and mirrors. Some of the pixels see the box.
         self.assertGreaterEqual(counts["camera_rays"], 2 * 20 * 12)
         self.assertGreater(counts["shadow_rays"], 0)
         self.assertGreater(seconds["render"], 0)
@@ -165,11 +165,11 @@ class Reports(RenderTest):
         self.write("scene.yaml", SCENE)
         report = self.succeed_json("render", "scene.yaml")
         self.assertEqual((report["seed"], report["resolution"], report["passes"]), (1, [8, 8], 1))
-        self.assertIsNone(report["error_estimate"])  # one pass says nothing of its error
+        self.assertIsNone(report["error_estimate"])  # one pass gives no error estimate
         self.assertEqual(report["outputs"], ["scene.png"])
 
     def test_profile_adds_to_json_every_stage_with_the_threads_that_the_counts_promise(self):
-        radii = ["--set", "render.radius=0.05", "--set", "render.caustic_radius=0.02"]  # else some photons find them
+        radii = ["--set", "render.radius=0.05", "--set", "render.caustic_radius=0.02"]  # with caustics some photons would find them
         report = self.succeed_json("render", self.cornell, *SMALL, *TWO_PASSES, *radii, "--profile", "-o", "x.png")
         self.assertEqual((report["search_radius"], report["caustic_search_radius"]), (0.05, 0.02))
         stages, counts = report["stages"], report["counts"]
@@ -191,7 +191,7 @@ class Reports(RenderTest):
         report = self.succeed_json("render", self.cornell, *options)
         sizes = report["buffer_bytes"]
         listed = dict(re.findall(r"^(\S.*?) +([\d.]+)$", table[table.index("buffer ") :].partition("all buffers")[0], re.MULTILINE))
-        # Those of at least one per cent, the largest first, in mebibytes to one digit
+        # Buffers of at least one per cent, the largest first, in mebibytes to one digit
         total = sum(sizes.values())
         expected = {name: f"{size / 2**20:.1f}" for name, size in sizes.items() if 100 * size >= total}
         self.assertEqual(listed, expected)
@@ -199,8 +199,8 @@ class Reports(RenderTest):
         self.assertRegex(table, rf"(?m)^all buffers +{total / 2**20:.1f} ")
 
     def test_profile_prints_a_table_with_every_kernel_that_ran(self):
-        # These together run every kernel but those of the start-up test, the tests and the live page, and clear buffers in
-        # between.
+        # Together these run every kernel except those of the self-test, the tests and the live page, and clear buffers
+        # in between.
         kernels = {path.stem for path in (Setup.source / "shaders/kernels").glob("*.comp")}
         expected = kernels - {"self_test", "nearest_photons", "show_surface"} | {"clear"}
         found = set()
@@ -219,7 +219,7 @@ class Reports(RenderTest):
             rows = re.findall(r"^(\w+) +([\d.]+) +([\d.]+) % +(\d+) +([\d.]+)$", table, re.MULTILINE)
             self.assertIn("all stages", table)
             found |= {row[0] for row in rows}
-            # Shares are rounded to 0.1 %, so that the sum is off by 0.05 a row at most.
+            # Shares are rounded to 0.1 %, so the sum is off by at most 0.05 per row.
             self.assertAlmostEqual(sum(float(row[2]) for row in rows), 100, delta=0.05 * len(rows))
         self.assertEqual(found, expected)
 
@@ -248,21 +248,21 @@ class Backends(RenderTest):
             self.succeed("render", self.cornell, *size, *options, "-o", f"{name}.exr")
         same = self.succeed_json("compare", "device.exr", "reference.exr")
         other = self.succeed_json("compare", "other-seed.exr", "reference.exr")
-        # Both sides draw the same random numbers and so follow the same paths, but for the few where single precision
-        # takes the other side of a decision: an edge, a roulette, a photon on the rim of the search disc. At least 99 %
-        # of the pixels must agree within 1 %.
+        # Both sides draw the same random numbers and so follow the same paths, except for the few where single
+        # precision decides differently: an edge, a roulette, a photon on the rim of the search disc. At least 99 % of
+        # the pixels must agree within 1 %.
         self.assertGreaterEqual(same["within"]["share"], 0.99, same)
-        # A pixel whose path went another way is as far off as one of another seed. With at most 1 % of such pixels the
-        # error is at most a hundredth of the one between seeds.
+        # A pixel whose path diverged is as far off as one of another seed. With at most 1 % of such pixels the error is
+        # at most a hundredth of that between seeds.
         self.assertLessEqual(same["relmse"], 0.01 * other["relmse"], (same, other))
 
 
 class Progress(RenderTest):
-    # Back to the line's start and clear the line.
+    # Return to the start of the line and clear it.
     WIPE = "\r\x1b[K"
 
     def stderr_on_a_terminal(self, *options):
-        """What the render writes to a terminal on stderr; its stdout goes nowhere."""
+        """The render's stderr as written to a terminal; its stdout is discarded."""
         self.write("scene.yaml", SCENE)
         ours, theirs = pty.openpty()
         command = command_line(["render", "scene.yaml", "--passes", "100000", "--time", "0.7", *options])
@@ -281,14 +281,14 @@ class Progress(RenderTest):
     def read_terminal(descriptor):
         try:
             return os.read(descriptor, 65536)
-        except OSError:  # Linux's way to say that nobody holds the other end any more
+        except OSError:  # Linux reports this once the other end is closed
             return b""
 
     def test_a_bar_appears_on_a_terminal_and_is_wiped(self):
         text = self.stderr_on_a_terminal()
         self.assertRegex(text, r"\[#* *\] +\d+ %  \d+/100000 passes  (\d+:\d\d left|starting)")
         self.assertTrue(text.endswith(self.WIPE), text[-200:])
-        # Each bar replaces the one before on the same line.
+        # Each bar replaces the previous one on the same line.
         self.assertNotIn("\n", text)
         self.assertEqual(text.count("["), 2 * text.count("passes") + 1, "[ of a bar and its wipe, and of the last wipe")
 

@@ -1,5 +1,4 @@
-"""Runs one class of tests: PROGRAM SOURCE CACHE MODULE.CLASS. With MODULE.CLASS... after --registered it checks instead
-that these are all the classes there are, so that none is forgotten."""
+"""Runs one class of tests: PROGRAM SOURCE CACHE MODULE.CLASS. With --registered MODULE.CLASS... it checks instead that these are all the classes, so that none is forgotten."""
 
 import importlib
 import pathlib
@@ -10,7 +9,7 @@ from program import CliTest, Setup
 
 
 def classes_of(module):
-    """Those with tests; the others are there to be derived from."""
+    """Classes with tests; the others are base classes."""
     found = vars(importlib.import_module(module)).values()
     candidates = (c for c in found if isinstance(c, type) and issubclass(c, CliTest))
     return {c for c in candidates if unittest.defaultTestLoader.getTestCaseNames(c)}

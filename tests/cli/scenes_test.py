@@ -1,4 +1,4 @@
-"""Every scene that is shipped renders, and the test scenes show the radiance that their headers derive."""
+"""Every shipped scene renders, and the test scenes have the radiance derived in their headers."""
 
 import math
 
@@ -20,7 +20,7 @@ class EveryScene(CliTest):
                 self.assertTrue(picture.is_finite())
                 self.assertGreaterEqual(min(picture.values()), 0)
                 self.assertGreater(max(picture.values()), 0)
-                # The program's own reader sees it the same way; it refuses pictures with NaN.
+                # The program's own reader agrees; it refuses pictures with NaN.
                 self.assertEqual(self.succeed_json("compare", "a.exr", "a.exr")["rmse"], 0)
 
 
@@ -40,7 +40,7 @@ class KnownAnswers(CliTest):
         half = math.tan(math.radians(20))
         x = half * (2 * column / self.SIDE - 1)
         y = half * (1 - 2 * row / self.SIDE)
-        # The view is (0, -3, -4)/5, to the right of it (1, 0, 0), up from it (0, 4, -3)/5.
+        # The view direction is (0, -3, -4)/5, right is (1, 0, 0), up is (0, 4, -3)/5.
         direction = (x, (-3 + 4 * y) / 5, (-4 - 3 * y) / 5)
         distance = 3 / -direction[1]  # always downwards: the upper edge is 36.9 - 20 degrees below the horizon
         floor_x, floor_z = distance * direction[0], 4 + distance * direction[2]
@@ -50,15 +50,15 @@ class KnownAnswers(CliTest):
         return 10 / math.pi / (floor_x**2 + floor_z**2 + 4) ** 1.5
 
     def range_in_pixel(self, column, row):
-        """Least and largest radiance over a pixel. It falls with the distance from the origin, so that the extremes lie
-        on the pixel's rim or, for the central pixel, in its middle; a grid of 9 x 9 points has them to 0.1 %."""
+        """Smallest and largest radiance over a pixel. It falls with the distance from the origin, so the extremes lie on the
+        pixel's border or, for the central pixel, in its centre; a grid of 9 x 9 points finds them to 0.1 %."""
         seen = [self.floor_radiance(column + i / 8, row + j / 8) for i in range(9) for j in range(9)]
         return 0.999 * min(seen), 1.001 * max(seen)
 
     def test_the_floor_under_a_point_light_has_the_radiance_of_the_closed_form_in_every_pixel(self):
-        # Wherever in its pixel a sample lies, the mean of samples lies between the extremes over the pixel.
+        # Wherever the samples lie in their pixel, their mean lies between the extremes over the pixel.
         expected = {(x, y): self.range_in_pixel(x, y) for x in range(self.SIDE) for y in range(self.SIDE)}
-        # Without a second surface there is no indirect light, and photon mapping has the same answer.
+        # Without a second surface there is no indirect light, so photon mapping gives the same result.
         whitted, ppm = ["--passes", "2"], ["--passes", "2", "--photons", "5000", *self.ppm_settings()]
         for backend in self.BACKENDS:
             for options in (whitted, ppm):

@@ -1,6 +1,6 @@
-// Loaded before all else (LD_PRELOAD): whoever looks up lavapipe's vector width waits. Mesa 25.0.7 sets the width to
-// that of half the lanes before it looks, at every kernel that it compiles, and other threads read it meanwhile; here,
-// long enough for that to be seen.
+// Preloaded (LD_PRELOAD): delays every lookup of lavapipe's vector width. For every kernel that it compiles, Mesa
+// 25.0.7 sets the width to that of half the lanes before the lookup, and other threads may read it meanwhile; the delay
+// makes this visible.
 #include <chrono>
 #include <cstring>
 #include <dlfcn.h>

@@ -1,5 +1,5 @@
-"""Damaged files from good ones, the same for the same seed: bytes changed, left out, repeated, moved, or taken from another
-file; numbers made extreme; ends cut off."""
+"""Damaged files from good ones, the same for the same seed: bytes changed, removed, repeated, moved, or taken from another file;
+extreme numbers; truncation."""
 
 import random
 import re
@@ -66,7 +66,7 @@ def make_word_extreme(rng, data, _):
 
 
 WAYS = [change_bytes, flip_bit, leave_out, repeat, move, cut_off, take_from_another, make_number_extreme, make_word_extreme]
-LARGEST = 16384  # [bytes], as scripts/fuzz.sh
+LARGEST = 16384  # [bytes], as in scripts/fuzz.sh
 
 
 def damaged(seeds, count, seed):

@@ -1,5 +1,5 @@
-"""Every reader of files, given so many damaged ones, answers or says what is wrong: FUZZERS INPUTS, the folder of the
-programs and how many files for each. The same files each time."""
+"""Every file reader, given damaged files, reads them or reports an error: FUZZERS INPUTS, the folder of the programs and
+the number of files for each. The files are the same on every run."""
 
 import pathlib
 import subprocess
@@ -13,7 +13,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 SCENES = HERE.parents[1] / "scenes"
 FUZZERS, INPUTS = pathlib.Path(sys.argv[1]), int(sys.argv[2])
 MOST = 2560  # [MiB], as scripts/fuzz.sh
-# Of the shipped files those that suit a reader, beside the seeds
+# The shipped files that suit a reader, in addition to the seeds
 SHIPPED = {"scene": ["*.yaml", "*/*.yaml"], "obj": ["models/*.obj"], "ply": ["models/*.ply"], "stl": ["models/*.stl"],
            "gltf": ["models/*.glb", "models/*.gltf"], "image": [], "checkpoint": [], "photons": []}
 

@@ -1,4 +1,4 @@
-// Checkpoints, with and without a checksum that fits; what is read is put together with itself.
+// Checkpoints, with and without a matching checksum; a checkpoint that is read is merged with itself.
 #include "fuzz/fuzz_input.h"
 #include "render/film/checkpoint.h"
 

@@ -1,4 +1,4 @@
-// glTF, as JSON or binary. Its other files are looked for in an empty folder.
+// glTF, as JSON or binary. Referenced files are looked up in an empty folder.
 #include "fuzz/fuzz_input.h"
 #include "scene/import/gltf_import.h"
 

@@ -1,4 +1,4 @@
-// Pictures: PNG and OpenEXR as compare and textures read them, JPEG as glTF holds them.
+// Pictures: PNG and OpenEXR as read by compare and textures, JPEG as in glTF.
 #include "fuzz/fuzz_input.h"
 #include "image/exr.h"
 #include "image/jpeg.h"

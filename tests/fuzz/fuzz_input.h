@@ -1,4 +1,4 @@
-// What the fuzzers share. A reader may do two things with any bytes: return, or throw hyalite::Error of bad input.
+// Shared by the fuzzers. For any bytes, a reader must return or throw hyalite::Error of bad input.
 #pragma once
 
 #include "base/error.h"
@@ -15,7 +15,7 @@
 
 namespace hyalite::fuzz {
 
-// Any other exception ends the program, and so is found.
+// Any other exception ends the program and is thereby found.
 template <class Read>
 int expectAnswer(const Read& read) {
     try {
@@ -32,7 +32,7 @@ inline std::string_view text(const std::uint8_t* data, std::size_t size) {
     return {reinterpret_cast<const char*>(data), size};
 }
 
-// The bytes followed by their checksum, as in files that end with one: else no fuzzer would get past it.
+// The bytes followed by their checksum, for files that end with one: otherwise no fuzzer would get past it.
 inline std::vector<std::byte> withChecksum(const std::uint8_t* data, std::size_t size) {
     const auto bytes = std::as_bytes(std::span(data, size));
     std::vector<std::byte> file(bytes.begin(), bytes.end());
@@ -42,7 +42,7 @@ inline std::vector<std::byte> withChecksum(const std::uint8_t* data, std::size_t
     return file;
 }
 
-// A file that is written anew for each input, in a folder of this process.
+// A file rewritten for each input, in a folder of this process.
 class InputFile {
 public:
     explicit InputFile(const std::string& name) {

@@ -1,4 +1,4 @@
-// Mesh files of one format: OBJ, PLY or STL, as HYALITE_PARSE says.
+// Mesh files of one format: OBJ, PLY or STL, selected by HYALITE_PARSE.
 #include "fuzz/fuzz_input.h"
 #include "scene/import/mesh_import.h"
 

@@ -1,4 +1,4 @@
-// Files of photon maps, with and without a checksum that fits.
+// Photon map files, with and without a matching checksum.
 #include "fuzz/fuzz_input.h"
 #include "render/photons/photon_file.h"
 

@@ -1,4 +1,4 @@
-// Scene files, and the settings of the command line: YAML in all its depth.
+// Scene files, and the settings of the command line: all of YAML.
 #include "fuzz/fuzz_input.h"
 #include "scene/load/load_scene.h"
 

@@ -1,5 +1,5 @@
-"""Writes the fuzzers' seeds into FOLDER, one folder a fuzzer: small good files of every kind, and openings of bad ones
-that ask for much (elements by the billion, nesting without end, offsets that go wild)."""
+"""Writes the fuzzers' seeds into FOLDER, one folder per fuzzer: small valid files of every kind, and the beginnings of
+hostile ones (billions of elements, endless nesting, wild offsets)."""
 
 import base64
 import json
@@ -66,7 +66,7 @@ def gltf_seeds():
     data = buffer + bytes(-len(buffer) % 4)
     chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(data), b"BIN\0") + data
     yield struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
-    # Wild offsets, elements by the billion, a sparse accessor, a node that is its own child, a file elsewhere
+    # Wild offsets, billions of elements, a sparse accessor, a node that is its own child, a file elsewhere
     wild, buffer = gltf_document()
     wild["bufferViews"][0]["byteOffset"] = 2**63
     yield embedded(wild, buffer)
@@ -89,7 +89,7 @@ def scene_seeds():
     yield "\n".join(lines[:-1] + ["objects:", "- {shape: {type: mesh, file: ../../../etc/passwd}, material: gray}"]).encode()
     yield "\n".join(lines[:-1] + ["objects:", "- shape: {type: sphere}", "  material: gray", "  repeat:",
                                   "  - {count: 2000, transform: [{translate: [1, 0, 0]}]}"]).encode()
-    # Nesting without end, aliases of aliases, a value within itself
+    # Endless nesting, aliases of aliases, a value that contains itself
     yield b"[" * 10000
     yield b"{a: " * 5000
     yield b"a: &a [x, x, x]\n" + b"".join(
@@ -108,7 +108,7 @@ def image_seeds():
     yield png(2, 2, b"\0\1\2\3\4\5\6" * 2)
     yield png(2, 1, b"\1\7\7", kind=0)
     yield png(65536, 65536, b"\0")
-    # The least of a JPEG: one block of 8 x 8, one Huffman code of each kind
+    # A minimal JPEG: one block of 8 x 8, one Huffman code of each kind
     table = b"\xff\xdb\0\x43\0" + b"\1" * 64
     frame = b"\xff\xc0\0\x0b\x08\0\x08\0\x08\1\1\x11\0"
     codes = b"\xff\xc4\0\x14\0" + b"\1" + bytes(15) + b"\0" + b"\xff\xc4\0\x14\x10" + b"\1" + bytes(15) + b"\0"
@@ -119,7 +119,7 @@ def image_seeds():
 
 
 def checkpoint_seeds():
-    """Without the checksum: the fuzzer puts it there."""
+    """Without the checksum: the fuzzer appends it."""
     def checkpoint(width, height, ranges=((0, 2),), layers=1, words=1):
         text = b"scene a.yaml\n" + b"layer light 1\n" * layers + b"set integrator=ppm\nset render.seed=1\ncount camera_rays=7\n"
         header = struct.pack("<8sIIIIIId", b"hyachkp2", width, height, layers, len(ranges), len(text), 0, 1.5)

@@ -1,5 +1,5 @@
-// Gives every file of the folders named to a fuzzer's entry: what libFuzzer does to its seeds, without clang. The name
-// of each is printed before, so that the last one is to blame.
+// Runs a fuzz target on every file of the given folders, as libFuzzer does with its seeds, without clang. Prints each
+// file name first, so that after a crash the last one names the culprit.
 #include <cstdint>
 #include <cstdio>
 #include <exception>
@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 namespace {
 
-constexpr unsigned kSecondsOfOne = 30; // on a machine that does other things
+constexpr unsigned kSecondsOfOne = 30; // on a busy machine
 
 void readAll(const std::filesystem::path& folder) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {

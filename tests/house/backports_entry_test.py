@@ -1,4 +1,4 @@
-"""scripts/backports_entry.awk: what apt sources of each kind become."""
+"""scripts/backports_entry.awk: its output for apt sources of each kind."""
 
 import pathlib
 import subprocess

@@ -1,4 +1,4 @@
-"""Every test case that judges by chance takes its share of the suite's false alarms, and there are shares enough."""
+"""Every statistical test case takes its share of the suite's false-alarm rate, and there are enough shares."""
 
 import re
 

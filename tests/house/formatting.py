@@ -1,4 +1,4 @@
-"""clang-format has nothing to change; version 19, the one that both Debian 12 and 13 have."""
+"""clang-format has nothing to change; version 19, which both Debian 12 and 13 provide."""
 
 import subprocess
 

@@ -1,4 +1,4 @@
-"""What the reference and its twins share with the shaders that they judge: layouts, limits, integer functions, and nothing else."""
+"""The reference and its twins share only layouts, limits and integer functions with the shaders that they check."""
 
 import re
 
@@ -14,7 +14,7 @@ REAL = re.compile(r"\b(float|double|d?vec[234]|d?mat[234](x[234])?|sqrt|inverses
 
 
 def reached(tree, path, seen):
-    """(file, line, what it includes) of every include that the file leads to."""
+    """(file, line, included file) of every include reached from the file."""
     for number, name, target in includes(tree, path):
         yield path, number, name, target
         if target is not None and target not in seen:
@@ -23,7 +23,7 @@ def reached(tree, path, seen):
 
 
 def functions(text):
-    """(line, text) of every function that both sides share."""
+    """(line, text) of every function shared by both sides."""
     for match in re.finditer(r"^SHARED_FUNCTION\b", text, re.MULTILINE):
         depth, at = 0, text.index("{", match.start())
         for at in range(at, len(text)):

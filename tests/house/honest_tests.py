@@ -1,4 +1,4 @@
-"""Catch2's ways to leave a test out, or to let it fail, are not used."""
+"""Catch2's features for skipping a test, or letting it fail, are not used."""
 
 import re
 

@@ -1,7 +1,7 @@
 """Runs one house check: over the repository, or with --planted over small trees that break the rule.
 
 A check is a module with RULE (a sentence), check(tree) -> list of violations, CLEAN (path -> text of a tree without
-any) and PLANTED (one changed file each: path, text, and what the violation found must contain).
+violations) and PLANTED (one changed file each: path, text, and the required content of the violation).
 """
 
 import importlib
@@ -12,7 +12,7 @@ import tempfile
 
 
 class Tree:
-    """The files that belong to the repository: git's, or all but build output where there is no git."""
+    """The files of the repository: those tracked by git or, without git, all but build output."""
 
     def __init__(self, root):
         self.root = pathlib.Path(root).resolve()

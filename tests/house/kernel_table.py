@@ -1,4 +1,4 @@
-"""The table of shaders/kernels/README.md is what the kernels' own heads say.
+"""The table of shaders/kernels/README.md matches the kernels' own header comments.
 
 The comment at the top of a kernel ends with four entries, each of one or more lines:
 
@@ -8,8 +8,8 @@ The comment at the top of a kernel ends with four entries, each of one or more l
     // computes: store; Russian roulette with the largest albedo as its probability
     //     of survival [Jensen01]
 
-Run as a program, this writes the table: rows keep their order, which is that of a pass, and a new kernel's row comes
-last, to be moved where it belongs.
+Run as a program, this writes the table: rows keep their order, which is that of a pass, and a new kernel's row is appended,
+to be moved to its place.
 """
 
 import pathlib

@@ -28,7 +28,7 @@ RANK = {
     "cli": 10,
 }
 MAIN = 11  # host/main.cpp
-# Within a folder, likewise; what lies in the folder itself stands above its rooms.
+# Subfolders are ranked in the same way; files directly in a folder rank above its subfolders.
 ROOMS = {
     "scene": {"model": 0, "import": 1, "yaml": 2},
     "live": {"messages": 0, "page": 1, "worker": 1, "supervisor": 2, "server": 3},
@@ -40,7 +40,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
 
 
 def folder_of(path):
-    """The ranked folder under host/ that the file is in: the innermost one."""
+    """The innermost ranked folder under host/ that contains the file."""
     parts = path.split("/")
     inner = "/".join(parts[1:3])
     if len(parts) > 3 and inner in RANK:
@@ -54,7 +54,7 @@ def room_of(path):
 
 
 def includes(tree, path):
-    """(line, name, the repository's file it means or None) of every #include in the file."""
+    """(line, name, the repository's file or None) of every #include in the file."""
     for number, line in tree.lines(path):
         match = INCLUDE.match(line)
         if not match:
@@ -70,7 +70,7 @@ def is_vulkan(name):
 
 
 def reaches_vulkan(tree, path, seen):
-    """Whether including this file includes Vulkan's headers too."""
+    """True if including this file also includes Vulkan's headers."""
     if path in seen:
         return False
     seen.add(path)

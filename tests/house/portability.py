@@ -1,4 +1,4 @@
-"""Names of package registries and paths of one machine do not belong in the repository."""
+"""The repository contains no names of package registries and no machine-specific paths."""
 
 import re
 
@@ -10,7 +10,7 @@ REGISTRY = re.compile(
     r"|yarnpkg\.com|crates\.io|proxy\.golang\.org|rubygems\.org|docker\.(?:io|com)|ghcr\.io|quay\.io|gcr\.io|pkg\.dev"
     r"|conda\.io|anaconda\.org|conan\.io|nodesource\.com|repo\.maven\.apache\.org)\b"
 )
-# A folder of one machine, at the start of a path.
+# A machine-specific folder at the start of a path.
 MACHINE_PATH = re.compile(r"(?<![\w.$})\]*/~-])/(?:home|root|Users|work|workspace|mnt|media|srv|tmp)/[\w.]")
 
 

@@ -13,7 +13,7 @@ README = "shaders/kernels/README.md"
 
 
 def includes(tree, path):
-    """(line, name, file or None): looked for beside the including file, then in shaders/, as the compiler does."""
+    """(line, name, file or None): resolved beside the including file, then in shaders/, as the compiler does."""
     for number, line in tree.lines(path):
         match = INCLUDE.match(line)
         if match:

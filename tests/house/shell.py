@@ -1,4 +1,4 @@
-"""The shell scripts pass shellcheck and open alike."""
+"""The shell scripts pass shellcheck and start with the same lines."""
 
 import os
 import subprocess

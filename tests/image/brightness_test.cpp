@@ -14,7 +14,7 @@ Scene shipped(const std::string& name) {
     return loadScene(std::filesystem::path(HYALITE_SOURCE_DIR) / "scenes" / name);
 }
 
-// The room behind the gap, its glass ball made of clay: without caustics.
+// The room behind the gap, with a clay ball in place of the glass one: no caustics.
 Scene roomWithoutGlass() {
     Scene scene = shipped("room-through-gap.yaml");
     for (Object& object : scene.objects) {
@@ -55,7 +55,7 @@ dvec3 meanOf(const Image& image) {
 
 } // namespace
 
-TEST_CASE("final gathering is as bright as path tracing to two in a hundred, where there are no caustics") {
+TEST_CASE("without caustics, final gathering is as bright as path tracing to 2 %") {
     const std::vector<std::pair<std::string, Scene>> scenes{{"Cornell box", shipped("cornell-box.yaml")},
                                                             {"room behind a gap", roomWithoutGlass()},
                                                             {"balls outdoors", ballsOutdoors()}};
@@ -72,7 +72,7 @@ TEST_CASE("final gathering is as bright as path tracing to two in a hundred, whe
         const Image path = render::renderByReference(scene).picture;
         INFO(name);
         const dvec3 ratio = meanOf(photonMap) / meanOf(path);
-        // Paths differ among one another by a few times their mean: 262 144 of them are right to half a percent
+        // Paths deviate by a few times their mean: the mean of 262 144 paths is accurate to half a percent
         for (const double channel : {ratio.x, ratio.y, ratio.z}) {
             CHECK(std::abs(channel - 1) < 0.02);
         }

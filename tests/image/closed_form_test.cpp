@@ -1,4 +1,4 @@
-// Scenes whose radiance is known on paper, rendered on the device.
+// Scenes with analytically known radiance, rendered on the device.
 #include "kernel/kernel_support.h"
 #include "render/integrators/ppm/ppm.h"
 #include "render/renderer.h"
@@ -30,12 +30,12 @@ TEST_CASE("whitted lights a floor by the inverse square of the distance and the 
     reference::test::addObject(scene, Quad{{-5, 0, 5}, {10, 0, 0}, {0, 0, -10}}, floor);
     const dvec3 expected = dvec3(0.2, 0.5, 0.9) / std::numbers::pi * 3.0 * 0.8 / 6.25;
     CHECK(glm::length(meanOf(onDevice(scene)) - expected) < 1e-4 * glm::length(expected));
-    // A ball between light and floor leaves no light
+    // A ball between light and floor blocks all light
     reference::test::addObject(scene, Sphere{{0.75, 1, 0}, 0.1}, floor);
     CHECK(meanOf(onDevice(scene)) == dvec3(0));
 }
 
-TEST_CASE("a mirror at depth 0 is black and from depth 1 on shows the lamp times its reflectance") {
+TEST_CASE("a mirror at depth 0 is black and from depth 1 on shows the light times its reflectance") {
     Scene scene = reference::test::onePixel({0, 0, 2}, {0, 0, 0}, "whitted");
     const std::size_t mirror = reference::test::addMaterial(scene, Mirror{{0.9, 0.5, 0.1}});
     reference::test::addObject(scene, Quad{{-1, -1, 0}, {2, 0, 0}, {0, 2, 0}}, mirror);
@@ -72,7 +72,7 @@ double radianceOfFloor(Scene scene) {
 
 TEST_CASE("a floor has the radiance that spots and parallel light give it") {
     const double pi = std::numbers::pi;
-    // All the light of a spot at (3, 4, 0) aimed at the origin: I cos / (pi d^2) = 10 * 0.8 / 25 / pi
+    // The full intensity of a spot at (3, 4, 0) aimed at the origin: I cos / (pi d^2) = 10 * 0.8 / 25 / pi
     Scene spot;
     spot.spots = {{.position = {3, 4, 0}, .direction = {-0.6, -0.8, 0}, .intensity = dvec3(10), .angle = 5}};
     CHECK(std::abs(radianceOfFloor(spot) - 0.32 / pi) < 1e-5);
@@ -84,7 +84,7 @@ TEST_CASE("a floor has the radiance that spots and parallel light give it") {
     Scene parallel;
     parallel.directionals = {{.direction = {0, -0.6, 0.8}, .irradiance = dvec3(10)}};
     CHECK(std::abs(radianceOfFloor(parallel) - 6 / pi) < 1e-5);
-    // A beam whose rim is 1 mm this side of the floor's point, or the other
+    // A beam whose rim is 1 mm beyond the floor's point, or 1 mm short of it
     parallel.directionals[0].beam = DirectionalLight::Beam{{0.499, 0.6, -0.8}, 0.5};
     CHECK(std::abs(radianceOfFloor(parallel) - 6 / pi) < 1e-5);
     parallel.directionals[0].beam = DirectionalLight::Beam{{0.501, 0.6, -0.8}, 0.5};

@@ -1,4 +1,4 @@
-// Progressive photon mapping converges to what path tracing finds without bias.
+// Progressive photon mapping converges to the unbiased result of path tracing.
 #include "image/known_answer.h"
 #include "scene/load/load_scene.h"
 #include "unit/reference/support.h"
@@ -61,12 +61,12 @@ Scene outdoors() {
 } // namespace
 
 TEST_CASE("the mean of progressive photon mapping is that of path tracing") {
-    // Independent renders of both, block by block: their difference, over path's mean, is 0 on average, but for the
-    // bias of photon mapping. Where discs of radius r reach beyond an edge, at a distance up to r, up to half of the
-    // indirect light is missing: on average over the strip a share of 2 / (3 pi) = 0.21 of it. Along edges of the
-    // length l in an area A that is 0.21 r l / A of the indirect light. A block of these pictures sees some 1 m^2 for
-    // each 2 m of edge, so that with r = 0.01 it loses less than 0.5 % of its indirect light; curvature of the light
-    // within a disc, r^2 / 8 of its second derivative, is a hundredth of that.
+    // Independent renders of both, block by block: the mean of their difference over path's mean is 0, except for the
+    // bias of photon mapping. Where discs of radius r extend beyond an edge, up to a distance r from it, up to half of
+    // the indirect light is missing: on average over that strip a fraction of 2 / (3 pi) = 0.21. For edges of length l
+    // in an area A that is 0.21 r l / A of the indirect light. A block of these pictures covers about 1 m^2 per 2 m of
+    // edge, so with r = 0.01 it loses less than 0.5 % of its indirect light; the curvature of the light within a disc,
+    // r^2 / 8 times its second derivative, adds a hundredth of that.
     const std::vector<std::pair<std::string, Scene>> cases{
         {"default scene", asShipped()}, {"outdoors", outdoors()}, {"glossy", glossy()}};
     constexpr std::uint32_t kRenders = 16;

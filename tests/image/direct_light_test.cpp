@@ -1,4 +1,4 @@
-// The light that surfaces get straight from lamps, by form factors known in closed form, with every integrator.
+// Direct light from area lights against closed-form form factors, with every integrator.
 #include "image/known_answer.h"
 #include "unit/reference/support.h"
 
@@ -11,8 +11,8 @@ namespace {
 using glm::dvec3;
 using std::numbers::pi;
 
-// The camera looks along -normal at a white rectangle of which it sees just the middle part, `width` times `height`,
-// from a distance; `up` is along the height.
+// From a distance, the camera looks along -normal at the central part, `width` times `height`, of a white rectangle;
+// `up` is along the height.
 Scene lookingAt(const dvec3& middle, const dvec3& normal, const dvec3& up, double width, double height,
                 double distance) {
     Scene scene;
@@ -46,9 +46,9 @@ double perpendicular(double W, double H) {
     return (W * std::atan(1 / W) + H * std::atan(1 / H) - r * std::atan(1 / r) + logarithm / 4) / (pi * W);
 }
 
-// Irradiance at the origin, of a surface that faces +y, by a polygon of radiance 1 above it whose corners are in order,
+// Irradiance at the origin, on a surface facing +y, from a polygon of radiance 1 above it with corners
 // counter-clockwise as seen from its front (Lambert): half the sum over its edges of the angle that each subtends times
-// the cosine between the surface's normal and the one of the plane through edge and origin.
+// the cosine between the surface's normal and that of the plane through edge and origin.
 double lambertsPolygon(const std::vector<dvec3>& corners) {
     double sum = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -61,13 +61,13 @@ double lambertsPolygon(const std::vector<dvec3>& corners) {
 
 } // namespace
 
-TEST_CASE("a square lights the square opposite of it, and part of the one beside it, by their form factors") {
-    // A white rectangle has on average the radiance F of the lamp, F the form factor from it to the lamp. Beside the
-    // lamp, its far half, whose F is that of the whole less the near half's: (A F(1) - A/2 F(1/2)) / (A/2). Next to the
-    // common edge samples of the lamp would differ without bound.
+TEST_CASE("a square lights the square opposite it, and part of the adjacent one, by their form factors") {
+    // The mean radiance of a white rectangle is F times that of the light, with F the form factor from the rectangle to
+    // the light. Of the adjacent rectangle the far half is used: its F is that of the whole minus the near half's: (A
+    // F(1) - A/2 F(1/2)) / (A/2). Next to the common edge, samples of the light have unbounded variance.
     CHECK(std::abs(parallelSquares() - 0.19982) < 5e-6); // as the catalogue says
     CHECK(std::abs(perpendicular(1, 1) - 0.20004) < 5e-6);
-    // Opposite: from y = 0 the floor is seen from y = 0.5, below the lamp at y = 1
+    // Opposite: the camera sees the floor at y = 0 from y = 0.5, below the light at y = 1
     Scene opposite = lookingAt({0.5, 0, 0.5}, {0, 1, 0}, {0, 0, -1}, 1, 1, 0.5);
     reference::test::addObject(opposite, Quad{{-1, 0, 2}, {3, 0, 0}, {0, 0, -3}}, 0);
     reference::test::addObject(opposite, Quad{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}}, std::nullopt, dvec3(1)); // faces down
@@ -82,14 +82,14 @@ TEST_CASE("a square lights the square opposite of it, and part of the one beside
             INFO(renderer.name << ", " << name);
             Scene picture = scene;
             picture.render.passes = 32;
-            // Pixels differ by what they see, too: the scatter is overestimated
+            // Pixels also differ by the area that they see: the scatter is overestimated
             CHECK(judge(alarms, renderer, picture, everywhere(expected), Independent::Pixels,
                         {.bias = 1e-5, .sees = 0.2}));
         }
     }
 }
 
-TEST_CASE("lamps of every shape light a place of the floor as their formulas say") {
+TEST_CASE("lights of every shape light a point of the floor according to their formulas") {
     // The floor is white: radiance E / pi
     struct Lamp {
         std::string name;

@@ -1,5 +1,5 @@
-// Furnaces: where light of radiance 1 comes from everywhere, what absorbs nothing cannot be seen, and what absorbs
-// shows its albedo.
+// White furnace tests: under radiance 1 from all directions, objects without absorption are invisible, and absorbing
+// ones show their albedo.
 #include "image/known_answer.h"
 #include "kernel/kernel_support.h"
 #include "unit/reference/furnace.h"
@@ -16,8 +16,8 @@ using std::numbers::pi;
 
 constexpr std::string_view kWithIndirectLight[] = {"ppm", "photonmap", "path"};
 
-// A closed cube of 2 m about the origin whose walls have radiance 1 and the albedo; the camera in its middle looks at
-// that of a wall, 0.27 m about it: farther from the edges than photons are gathered from.
+// A closed cube of 2 m about the origin whose walls have radiance 1 and the albedo; the camera at its centre looks at
+// the central 0.27 m of a wall: farther from the edges than the search radius.
 Scene furnace(double albedo) {
     Scene scene = reference::test::onePixel({0, 0, 0}, {0, 0, 1}, "path");
     scene.camera.fov = 30;
@@ -31,7 +31,7 @@ Scene furnace(double albedo) {
     return scene;
 }
 
-// A sky of radiance 1 about a pixel that sees one place only, `angle` from the normal (+y) of what is there.
+// A sky of radiance 1 and a pixel that sees a single point, at `angle` from its normal (+y).
 Scene underSky(double angle) {
     Scene scene = reference::test::onePixel({3 * std::sin(angle), 3 * std::cos(angle), 0}, {0, 0, 0}, "path");
     scene.camera.resolution = {16, 16};
@@ -43,8 +43,8 @@ Scene underSky(double angle) {
 
 } // namespace
 
-TEST_CASE("in a closed furnace radiance is 1 / (1 - a), cut short the terms of its series") {
-    // The walls emit 1, and from every direction comes what they send: 1 + a + a^2 + …, n segments leave n terms
+TEST_CASE("in a closed furnace radiance is 1 / (1 - a), or its truncated series for short paths") {
+    // The walls emit 1 and reflect what arrives from all directions: 1 + a + a^2 + …; n segments give n terms
     const std::vector<Renderer> renderers = renderersOf(kWithIndirectLight);
     const std::vector<std::pair<double, std::uint32_t>> cases{{0.2, 64}, {0.5, 4}, {0.8, 64}};
     FalseAlarms alarms(renderers.size() * cases.size());
@@ -73,10 +73,10 @@ TEST_CASE("whitted's furnace has the emission and the direct light of its walls,
     }
 }
 
-TEST_CASE("a perfect mirror and clear glass cannot be told from the walls of a furnace") {
-    // Radiance is the same along every line, and they take none of it. A path of 64 segments has a^32 of the light left
-    // after as many diffuse ones, and glass holds a ray for more than 32 as rarely as 0.04^32. The furnace is almost a
-    // sphere, whose points all get alike from each other, so that samples of its light have no tail.
+TEST_CASE("a perfect mirror and clear glass are indistinguishable from the walls of a furnace") {
+    // Radiance is the same along every line, and they absorb none of it. In a path of 64 segments, 32 diffuse ones
+    // truncate a^32 of the light, and a ray stays in glass for more than 32 with probability 0.04^32. The furnace is
+    // almost a sphere, whose points illuminate each other equally, so samples of its light have no tail.
     const std::string_view path[] = {"path"};
     const std::vector<Renderer> renderers = renderersOf(path);
     FalseAlarms alarms(2 * renderers.size());
@@ -97,9 +97,9 @@ TEST_CASE("a perfect mirror and clear glass cannot be told from the walls of a f
     }
 }
 
-TEST_CASE("a perfect mirror, and glass that does not absorb, are invisible in a sky that is the same everywhere") {
-    // Each path ends in the sky with its whole weight, so that not even noise is left; whitted's trees end after 30
-    // reflections with 0.04^30 of the light missing
+TEST_CASE("a perfect mirror, and glass that does not absorb, are invisible under a uniform sky") {
+    // Each path reaches the sky with its full weight, so there is no noise; whitted's trees end after 30 reflections,
+    // with 0.04^30 of the light missing
     FalseAlarms alarms(2 * everyRenderer().size());
     for (const MaterialModel& model : {MaterialModel(Mirror{}), MaterialModel(Dielectric{1.5})}) {
         Scene scene = underSky(0.1);
@@ -120,7 +120,7 @@ std::function<double(double)> schlick(double f0) {
     return [f0](double cosine) { return f0 + (1 - f0) * std::pow(1 - cosine, 5); };
 }
 
-// Fresnel's of the index eta + i k: amplitudes with a complex cosine.
+// Fresnel reflectance for the index eta + i k: amplitudes with a complex cosine.
 std::function<double(double)> fresnel(double eta, double k) {
     return [n = std::complex<double>(eta, k)](double cosine) {
         const std::complex<double> inside = std::sqrt(1.0 - (1 - cosine * cosine) / (n * n));
@@ -130,11 +130,11 @@ std::function<double(double)> fresnel(double eta, double k) {
     };
 }
 
-// What a surface of GGX facets reflects of a sky of radiance 1 in a direction at `angle` to its normal, by the facets
-// it sees: the integral of F(w . m) D(m) (w . m)+ / w.z times the share of reflected light that leaves, which is G2 /
-// G1 (w) with Lambda = (sqrt(1 + a^2 tan^2) - 1) / 2, G1 = 1 / (1 + Lambda), G2 = 1 / (1 + Lambda + Lambda') [Heitz14],
-// [Walter07]; G1 G2 / G1 = G2. Midpoints in the facet's tangent, as u = 1 / (1 + tan^2 / a^2), in which D is even, and
-// in the azimuth.
+// Reflectance of a GGX surface under a sky of radiance 1, in a direction at `angle` to its normal, from the facets
+// visible there: the integral of F(w . m) D(m) (w . m)+ / w.z times the fraction of reflected light that is not masked,
+// which is G2 / G1 (w) with Lambda = (sqrt(1 + a^2 tan^2) - 1) / 2, G1 = 1 / (1 + Lambda), G2 = 1 / (1 + Lambda +
+// Lambda') [Heitz14], [Walter07]; G1 G2 / G1 = G2. Midpoints in the facet's tangent, as u = 1 / (1 + tan^2 / a^2), in
+// which D is uniform, and in the azimuth.
 double ggxAlbedo(double angle, double alpha, const std::function<double(double)>& reflectance) {
     const dvec3 w(std::sin(angle), 0, std::cos(angle));
     const auto lambda = [alpha](const dvec3& v) {
@@ -162,8 +162,8 @@ double ggxAlbedo(double angle, double alpha, const std::function<double(double)>
 
 } // namespace
 
-TEST_CASE("under a sky of radiance 1 a rough metal shows the albedo of its facets, whatever finds the light") {
-    // Sampled lights and rays that find the sky share it by their weights: one too many or too few shows
+TEST_CASE("under a sky of radiance 1 a rough metal shows its facets' albedo, whichever strategy finds the light") {
+    // Sampled lights and rays that hit the sky are combined by MIS weights: a wrong weight would show
     struct Metal {
         MaterialModel model;
         double angle;
@@ -186,7 +186,7 @@ TEST_CASE("under a sky of radiance 1 a rough metal shows the albedo of its facet
         scene.render.passes = 16;
         for (const Renderer& renderer : everyRenderer()) {
             INFO(renderer.name << ", material " << metal.model.type << " at " << metal.angle);
-            // The midpoint rule is right to 1e-5 here, the pixel sees angles to 1e-4
+            // The midpoint rule is accurate to 1e-5 here; the pixel spans angles of 1e-4
             CHECK(judge(alarms, renderer, scene, everywhere(expected), Independent::Pixels,
                         {.bias = 2e-4, .sees = 0.05}));
         }

@@ -1,4 +1,4 @@
-// Glass whose transmission is known in closed form: panes at any angle, and a ball that gathers a beam.
+// Glass with closed-form transmission: panes at any angle, and a ball that focuses a beam.
 #include "image/known_answer.h"
 #include "unit/reference/support.h"
 
@@ -11,7 +11,7 @@ namespace {
 using glm::dvec3;
 using std::numbers::pi;
 
-// Of unpolarised light at glass of index n, the ray outside at `angle` to the normal.
+// Fresnel reflectance for unpolarised light at glass of index n, with the outside ray at `angle` to the normal.
 double fresnel(double angle, double n) {
     const double out = std::cos(angle);
     const double in = std::cos(std::asin(std::sin(angle) / n));
@@ -21,9 +21,9 @@ double fresnel(double angle, double n) {
 } // namespace
 
 TEST_CASE("a pane of glass at any angle, clear or tinted, transmits (1 - F)^2 a / (1 - F^2 a^2)") {
-    // a = e^(-sigma d / cos) is what one passage leaves; each pair of reflections within the pane takes F^2 and two
-    // passages more. Renderers know no polarisation: F is the mean of both at each face. Clear: (1 - F) / (1 + F), at
-    // normal incidence 2n / (n^2 + 1). All behind the pane glows with radiance 1, and nothing before it.
+    // a = e^(-sigma d / cos) is the transmittance of one passage; each pair of internal reflections contributes F^2 and
+    // two more passages. Renderers ignore polarisation: F is the mean of both at each face. Clear glass: (1 - F) / (1 +
+    // F), at normal incidence 2n / (n^2 + 1). Everything behind the pane emits radiance 1, and nothing in front of it.
     const double n = 1.5;
     const double d = 0.2;
     const std::vector<std::pair<double, double>> cases{{0, 0}, {60, 3}, {80, 0}};
@@ -45,8 +45,8 @@ TEST_CASE("a pane of glass at any angle, clear or tinted, transmits (1 - F)^2 a 
         const double expected = (1 - F) * (1 - F) * a / (1 - F * F * a * a);
         for (const Renderer& renderer : everyRenderer()) {
             INFO(renderer.name << ", " << degrees << " degrees, " << sigma << "/m");
-            // At 80 degrees F has a slope of 3 per rad, of which pixels see 1e-4. whitted, without chance, is as right
-            // as that; the others throw a coin at each face.
+            // At 80 degrees F has a slope of 3 per rad, and pixels span 1e-4 rad. whitted has no randomness and is as
+            // accurate as that; the others make a random decision at each face.
             const bool exact = renderer.integrator == "whitted";
             CHECK(judge(alarms, renderer, scene, everywhere(expected), Independent::Pixels,
                         {.bias = 2e-4, .sees = exact ? 1e-3 : 0.12}));
@@ -54,9 +54,9 @@ TEST_CASE("a pane of glass at any angle, clear or tinted, transmits (1 - F)^2 a 
     }
 }
 
-TEST_CASE("a lamp in a face of glass has the radiance F L, and no fewer than kShareToLight of the paths see it") {
-    // The camera at 30 degrees to the normal, a lamp of any shape where the mirror image of that way leads; nothing is
-    // behind the pane. A path that sees the lamp one time in two must bring 2 F L.
+TEST_CASE("a light reflected in a glass face has radiance F L, and at least kShareToLight of the paths see it") {
+    // The camera is at 30 degrees to the normal, and a light of any shape is in the mirror direction; nothing is behind
+    // the pane. A path that sees the light every second time must contribute 2 F L.
     const double angle = pi / 6;
     const double L = 7;
     const double expected = fresnel(angle, 1.5) * L;
@@ -88,19 +88,19 @@ TEST_CASE("a lamp in a face of glass has the radiance F L, and no fewer than kSh
 
 namespace {
 
-// What both faces of a ball of glass (n = 1.5, radius 1) let through of a ray at the distance h from its axis, and how
-// far from the axis that meets a floor at y = -1.5, the paraxial focus n R / (2 (n - 1)).
+// Transmittance of both faces of a glass ball (n = 1.5, radius 1) for a ray at the distance h from its axis, and the
+// distance from the axis at which it hits a floor at y = -1.5, the paraxial focus n R / (2 (n - 1)).
 std::pair<double, double> throughBall(double h) {
     const double deviation = 2 * (std::asin(h) - std::asin(h / 1.5));
-    const double F = fresnel(std::asin(h), 1.5); // inside, where it leaves, the same by Stokes
+    const double F = fresnel(std::asin(h), 1.5); // at the exit from inside, the same by Stokes' relations
     return {(1 - F) * (1 - F), (h / std::sin(deviation) - 1.5) * std::tan(deviation)};
 }
 
 } // namespace
 
 TEST_CASE("a glass ball brings the flux of a beam to its focus, in the picture") {
-    // A beam of 1 W/m^2, 0.5 m in radius, along -y; the camera looks from below the ball at a white square of the floor
-    // with the focus in its middle, in which all of the beam lands: mean radiance = flux / (pi area).
+    // A beam of 1 W/m^2, 0.5 m in radius, along -y; from below the ball the camera looks at a white square of the
+    // floor, centred on the focus, that receives the whole beam: mean radiance = flux / (pi area).
     Scene scene = reference::test::onePixel({0, -1.2, 0}, {0, -1.5, 0}, "ppm");
     const double half = 0.25;
     scene.camera.up = {0, 0, 1};
@@ -113,12 +113,12 @@ TEST_CASE("a glass ball brings the flux of a beam to its focus, in the picture")
     const std::size_t white = reference::test::addMaterial(scene, Diffuse{dvec3(1)});
     reference::test::addObject(scene, Sphere{{0, 0, 0}, 1}, glass);
     reference::test::addObject(scene, Quad{{-9, -1.5, 9}, {18, 0, 0}, {0, 0, -18}}, white);
-    scene.render.maxDepth = 4; // in, out, floor, eye: nothing that was reflected inside
+    scene.render.maxDepth = 4; // in, out, floor, eye: no internal reflections
     scene.render.photons = 4000;
     scene.render.passes = 4;
     scene.render.radius = 0.08;
     scene.render.photonMap.gatherRays = 0;
-    scene.render.photonMap.causticPhotons = 500; // so few that all in reach count: discs keep their size
+    scene.render.photonMap.causticPhotons = 500; // so few that all within reach count: the discs keep their size
     scene.render.photonMap.causticNearest = 512;
     scene.render.photonMap.causticRadius = 0.08;
     scene.render.photonMap.causticFilter = PhotonFilter::None;
@@ -127,7 +127,7 @@ TEST_CASE("a glass ball brings the flux of a beam to its focus, in the picture")
     for (int i = 0; i < kRings; ++i) {
         const double h = 0.5 * (i + 0.5) / kRings;
         const auto [share, aside] = throughBall(h);
-        REQUIRE(std::abs(aside) < half - 0.08 * 1.01); // discs about the places where it lands are in the picture
+        REQUIRE(std::abs(aside) < half - 0.08 * 1.01); // the picture contains the discs about all landing points
         flux += 2 * pi * h * 0.5 / kRings * share;
     }
     const double expected = flux / (pi * 4 * half * half);

@@ -60,8 +60,8 @@ double meanOf(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-// Renders by ppm on the device, without making its kernels anew for each. The integrator and its stages look up the
-// seed in the scene at every pass.
+// Renders by ppm on the device without recreating its kernels for each render. The integrator and its stages read the
+// seed from the scene at every pass.
 std::vector<double> progressiveRatios(Scene scene, std::uint32_t renders, const ExpectedPixel& expected) {
     render::Device device(Gpu::shared().context(), Gpu::shared().compiler(), false);
     const render::DeviceScene deviceScene = render::uploadScene(device.context, device.tables, scene);

@@ -1,5 +1,6 @@
-// The inside of a diffuse sphere, which sees itself evenly: what its walls emit and reflect arrives everywhere alike,
-// wherever it started. So its light is a series known on paper, wherever the lamp is, and with a mirror in it too.
+// The inside of a diffuse sphere, which illuminates itself uniformly: light emitted or reflected by its walls arrives
+// equally everywhere, wherever it started. So its radiance is an analytic series, wherever the light is, and also with
+// a mirror inside.
 #include "image/known_answer.h"
 #include "unit/reference/support.h"
 
@@ -31,15 +32,15 @@ Scene cameraInside(const dvec3& from, const dvec3& target, const dvec3& light) {
     return scene;
 }
 
-// What the integrators need to be equally sharp: paths vary by their roulette, and photonmap has one map for all
-// passes.
+// Sample counts that make the integrators equally precise: paths vary by their roulette, and photonmap has one map for
+// all passes.
 void adjust(RenderSettings& render, const Renderer& renderer) {
     const bool isPhotonMap = renderer.integrator == "photonmap";
     render.passes = renderer.integrator == "path" ? 256 : isPhotonMap ? 2 : 8;
     render.photons = isPhotonMap ? 16000 : 4000;
 }
 
-// Where the middle of a part of the picture, x and y in [-1, 1] with y up, sees the unit sphere about the origin.
+// Point of the unit sphere about the origin seen at picture coordinates x and y in [-1, 1], with y up.
 dvec3 pointOnSphere(const Camera& camera, double x, double y) {
     const dvec3 forward = glm::normalize(camera.lookAt - camera.position);
     const dvec3 right = glm::normalize(glm::cross(forward, camera.up));
@@ -50,7 +51,7 @@ dvec3 pointOnSphere(const Camera& camera, double x, double y) {
     return camera.position + (-b + std::sqrt(b * b + 1 - glm::dot(camera.position, camera.position))) * d;
 }
 
-// Mean over 8 x 8 places in each of 8 x 8 pixels.
+// Mean over 8 x 8 points in each of 8 x 8 pixels.
 ExpectedPixel meanOver(const Camera& camera, const std::function<double(const dvec3&)>& radiance) {
     return [=](int px, int py) {
         double sum = 0;
@@ -66,9 +67,9 @@ ExpectedPixel meanOver(const Camera& camera, const std::function<double(const dv
 
 } // namespace
 
-TEST_CASE("a diffuse sphere around a light of pi W/sr has radiance a / (1 - a), cut short the terms of its series") {
-    // From its middle E = I / r^2 = pi, L = a E / pi = a. The wall sees itself evenly, so each further bounce is a
-    // times the one before: n segments leave the terms a + a^2 + … up to a^(n - 1)
+TEST_CASE("a diffuse sphere around a light of pi W/sr has radiance a / (1 - a), or its truncated series") {
+    // From the centre E = I / r^2 = pi, L = a E / pi = a. The wall illuminates itself uniformly, so each further bounce
+    // is a times the previous one: n segments give the terms a + a^2 + … up to a^(n - 1)
     const std::vector<Renderer> renderers = renderersOf(kWithIndirectLight);
     const std::vector<std::pair<double, std::uint32_t>> cases{{0.8, 64}, {0.5, 5}};
     FalseAlarms alarms(renderers.size() * cases.size());
@@ -87,7 +88,7 @@ TEST_CASE("a diffuse sphere around a light of pi W/sr has radiance a / (1 - a), 
     }
 }
 
-TEST_CASE("a path of one segment is too short for the light of a lamp that cannot be seen") {
+TEST_CASE("a path of one segment is too short for light that is not directly visible") {
     Scene scene = cameraInside({0.2, 0.1, 0}, {1, 0.3, 0.2}, {0, 0, 0});
     scene.render.maxDepth = 1;
     scene.render.passes = 1;
@@ -100,9 +101,9 @@ TEST_CASE("a path of one segment is too short for the light of a lamp that canno
 }
 
 TEST_CASE("wherever the light in a diffuse sphere stands, its indirect light is the same") {
-    // E(x) = I cos / d^2; its mean over the sphere is 4 pi I / (4 pi) = I. What the walls reflect arrives evenly, with
-    // a mean radiosity of a I / (1 - a), so that L(x) = a / pi (E(x) + a I / (1 - a)): a = 1/2, I = pi: E / (2 pi) +
-    // 1/2
+    // E(x) = I cos / d^2; its mean over the sphere is 4 pi I / (4 pi) = I. Light reflected by the walls arrives
+    // uniformly, with a mean radiosity of a I / (1 - a), so that L(x) = a / pi (E(x) + a I / (1 - a)): a = 1/2, I = pi:
+    // E / (2 pi) + 1/2
     const dvec3 light(-0.3, 0.4, 0.5);
     Scene scene = cameraInside({0.2, 0.1, 0}, {1, 0.3, 0.2}, light);
     const std::size_t wall = reference::test::addMaterial(scene, Diffuse{dvec3(0.5)});
@@ -117,15 +118,15 @@ TEST_CASE("wherever the light in a diffuse sphere stands, its indirect light is 
     for (const Renderer& renderer : renderers) {
         adjust(scene.render, renderer);
         INFO(renderer.name);
-        // The mean over 64 places of a pixel 0.1 wide: off by 1e-2 / 64 times the curvature of E, of the order of 1
+        // The mean over 64 points of a pixel 0.1 wide: off by 1e-2 / 64 times the curvature of E, which is of order 1
         CHECK(judge(alarms, renderer, scene, expected, Independent::Renders, {.bias = 2e-4, .sees = 0.2}));
     }
 }
 
-TEST_CASE("a mirror as half of the sphere lights the other half as a second lamp") {
-    // What leaves the centre comes back to it, so that each place of the diffuse half gets (1 + rho) I. The half that
-    // it sees of the diffuse wall has the radiosity a I from the lamp. Three segments allow for both and no more: L = a
-    // / pi ((1 + rho) I + a I / 2), with a = 0.6, rho = 0.7, I = pi: 0.6 (1.7 + 0.3) = 1.2
+TEST_CASE("a mirror as half of the sphere lights the other half like a second light") {
+    // Light from the centre returns to it, so each point of the diffuse half receives (1 + rho) I. The diffuse half of
+    // the wall that it sees has the radiosity a I from the light. Three segments allow for both and no more: L = a / pi
+    // ((1 + rho) I + a I / 2), with a = 0.6, rho = 0.7, I = pi: 0.6 (1.7 + 0.3) = 1.2
     Scene scene = cameraInside({0.1, 0, -0.2}, {0.05, 0.1, 1}, {0, 0, 0});
     scene.camera.fov = 30;
     scene.render.maxDepth = 3;
@@ -142,7 +143,7 @@ TEST_CASE("a mirror as half of the sphere lights the other half as a second lamp
     FalseAlarms alarms(renderers.size());
     for (const Renderer& renderer : renderers) {
         INFO(renderer.name);
-        // Floats put a photon that returns from the mirror within 1e-6 of its antipode
+        // In floats a photon returning from the mirror lands within 1e-6 of its antipode
         CHECK(judge(alarms, renderer, scene, everywhere(1.2), Independent::Renders, {.bias = 1e-5, .sees = 0.2}));
     }
 }

@@ -1,4 +1,4 @@
-// Photon maps where the light is known on paper, on the device and in the reference.
+// Photon maps with analytically known light, on the device and in the reference.
 #include "kernel/kernel_support.h"
 #include "reference/photons/photons.h"
 #include "render/integrators/registry.h"
@@ -52,9 +52,9 @@ Scene litSphere() {
 
 } // namespace
 
-// The sphere sees itself evenly: direct light gives L = 1/2, every further bounce half of the one before, 1 in all.
-// About 200 000 photons land; a disc of 100 of them is right to 10 %, the 16 x 16 pixels see an area with some 6 500
-// photons: 1.3 % in the mean, of which low-discrepancy emission leaves less. Five standard deviations.
+// The sphere illuminates itself uniformly: direct light gives L = 1/2, every further bounce half of the previous one, 1
+// in total. About 200 000 photons land; a disc of 100 of them is accurate to 10 %, and the 16 x 16 pixels see an area
+// with about 6 500 photons: 1.3 % in the mean, and less with low-discrepancy emission. Five standard deviations.
 constexpr double kSphereError = 0.065;
 
 TEST_CASE("the global map of a lit sphere shows the same radiance everywhere, by tree and grid") {
@@ -78,7 +78,7 @@ TEST_CASE("final gathering in a lit sphere finds the light of all bounces, from 
         scene.render.photonMap.gatherRays = 4;
         scene.render.photonMap.precomputedIrradiance = precomputed;
         const LayeredImage image = onDevice(scene);
-        // 4096 rays, each with an estimate that is right to 10 %, all over the sphere
+        // 4096 rays all over the sphere, each with an estimate accurate to 10 %
         CHECK(std::abs(meanOf(layer(image, "indirect")) - 0.5) < 0.01);
         CHECK(std::abs(meanOf(image.picture) - 1) < 0.01);
     }
@@ -94,7 +94,7 @@ TEST_CASE("the direct photons of a floor under a point light give its irradiance
         const double z = (row + 0.5) / grid - 0.5;
         expected += 0.7 / pi * 3 * 2 / std::pow(x * x + z * z + 4, 1.5) / (grid * grid);
     }
-    // Seen from straight above by a camera whose picture is that square: tan(fov / 2) = 0.5 / 1
+    // The camera looks straight down, and its picture is that square: tan(fov / 2) = 0.5 / 1
     Scene scene = reference::test::onePixel({0, 1, 0}, {0, 0, 0}, "photonmap");
     scene.camera.fov = 2 * std::atan(0.5) * 180 / pi;
     scene.camera.resolution = {32, 32};
@@ -124,12 +124,12 @@ Scene beamThroughBall(double width, double floor) {
     const std::size_t black = reference::test::addMaterial(scene, Diffuse{dvec3(0)});
     reference::test::addObject(scene, Sphere{{0, 0, 0}, 1}, glass);
     reference::test::addObject(scene, Quad{{-9, floor, 9}, {18, 0, 0}, {0, 0, -18}}, black);
-    scene.render.maxDepth = 4; // three segments of a photon: in, out, floor; nothing that was reflected inside
+    scene.render.maxDepth = 4; // three segments of a photon: in, out, floor; no internal reflections
     return scene;
 }
 
-// Of a ray at the height h: where it crosses the axis below the centre, its angle to the axis there, and the share that
-// both faces let through.
+// For a ray at the height h: where it crosses the axis below the centre, its angle to the axis there, and the
+// transmittance of both faces.
 struct Refraction {
     double focus;
     double deviation;
@@ -162,7 +162,7 @@ std::vector<shared::Photon> causticPhotons(BothSides& both, std::uint32_t count)
 
 } // namespace
 
-TEST_CASE("a glass ball gathers a parallel beam at its focal length, with the flux that its faces let through") {
+TEST_CASE("a glass ball focuses a parallel beam at its focal length, with the flux that its faces transmit") {
     // Near the axis the focus lies at n R / (2 (n - 1)) = 1.5 R from the centre
     CHECK(std::abs(through(1e-4).focus - 1.5) < 1e-6);
     const std::uint32_t count = 40000;
@@ -173,7 +173,7 @@ TEST_CASE("a glass ball gathers a parallel beam at its focal length, with the fl
         double spread = 0; // mean square distance from the axis, weighted by flux
         for (const shared::Photon& photon : photons) {
             if (photon.surface >> shared::kLengthShift != 3) {
-                continue; // thrown down by the outside of the ball
+                continue; // reflected down by the outside of the ball
             }
             flux += photon.power.x;
             spread += double{photon.power.x} *
@@ -193,7 +193,7 @@ TEST_CASE("a glass ball gathers a parallel beam at its focal length, with the fl
         }
         // The faces reflect 8 % by chance: 0.27 / sqrt(40 000) = 0.14 % of the flux; five times that
         CHECK(std::abs(flux / expectedFlux - 1) < 0.007);
-        // At the focus of a narrow beam all is within spherical aberration; floats place the floor to 1e-6
+        // At the focus of a narrow beam all light is within spherical aberration; floats place the floor to 1e-6
         CHECK(std::abs(std::sqrt(spread / flux) - std::sqrt(expectedSpread / expectedFlux)) <
               0.02 * std::sqrt(expectedSpread / expectedFlux) + 2e-6);
     }

@@ -1,4 +1,4 @@
-// Rough and metallic surfaces in scenes whose radiance is known on paper or by an integral over the hemisphere.
+// Rough and metallic surfaces in scenes whose radiance is known analytically or as an integral over the hemisphere.
 #include "image/known_answer.h"
 #include "kernel/kernel_support.h"
 #include "reference/bsdf/bsdf.h"
@@ -14,7 +14,7 @@ vec3 onDevice(const Scene& scene) {
     return render::render(Gpu::shared().context(), Gpu::shared().compiler(), scene, {}).image.picture.pixels.at(0);
 }
 
-// The pixel looks down at a disk of the material about the origin, at 45 degrees; all else is a glowing room.
+// The pixel sees a disk of the material about the origin, at 45 degrees; all around is an emitting room.
 Scene glowingRoom(const MaterialModel& model) {
     Scene scene = reference::test::onePixel({1, 1, 0}, {0, 0, 0}, "whitted");
     scene.camera.resolution = {16, 16};
@@ -57,8 +57,8 @@ dvec3 albedoAt45(const MaterialModel& model) {
 
 } // namespace
 
-TEST_CASE("in a room of radiance 1 a rough surface has the radiance of its albedo, whatever finds the light") {
-    // Sampled lights and rays that find them share the light by their weights; a weight too many or too few shows
+TEST_CASE("in a room of radiance 1 a rough surface shows its albedo, whichever strategy finds the light") {
+    // Sampled lights and rays that hit them are combined by MIS weights; a wrong weight would show
     const std::string_view integrators[] = {"whitted", "ppm", "path"};
     const std::vector<Renderer> renderers = renderersOf(integrators);
     FalseAlarms alarms(3 * renderers.size());
@@ -70,7 +70,7 @@ TEST_CASE("in a room of radiance 1 a rough surface has the radiance of its albed
             Scene scene = glowingRoom(model);
             scene.render.passes = 32;
             INFO(renderer.name << ", material " << model.type);
-            // The midpoint rule is right to 1e-4, pixels are 1e-4 rad wide
+            // The midpoint rule is accurate to 1e-4; pixels are 1e-4 rad wide
             CHECK(
                 judge(alarms, renderer, scene, everywhere(expected), Independent::Pixels, {.bias = 2e-4, .sees = 0.1}));
         }
@@ -92,7 +92,7 @@ TEST_CASE("a coated floor straight below a point light has the radiance of its b
     CHECK(glm::length(dvec3(onDevice(scene)) - expected) < 1e-4 * glm::length(expected));
 }
 
-TEST_CASE("polished gold shows a lamp in its colour at normal incidence") {
+TEST_CASE("polished gold reflects a light in its own colour at normal incidence") {
     // ((n - 1)^2 + k^2) / ((n + 1)^2 + k^2) per channel
     Scene scene = reference::test::onePixel({0, 0, 2}, {0, 0, 0}, "whitted");
     const Conductor gold{{0.143, 0.375, 1.442}, {3.983, 2.386, 1.603}};

@@ -8,7 +8,7 @@
 
 namespace hyalite::testing {
 
-// What a bounce leaves. Visible points and emission stand at the path's number, which must be its pixel.
+// Output of a bounce. Visible points and emission are indexed by path, which must be its pixel.
 struct Bounce {
     gpu::Array<shared::Ray> rays;
     gpu::Array<shared::Hit> hits;
@@ -20,13 +20,13 @@ struct Bounce {
     gpu::Array<shared::uint> alive;
     gpu::Array<shared::RoughPoint> rough;
     std::size_t slotsOfPath = 1;
-    gpu::Array<vec3> light = {}; // of a tree's level: with what comes from the lamps
+    gpu::Array<vec3> light = {}; // for a level of a tree: direct light included
 
     [[nodiscard]] std::size_t slot(std::size_t path, std::size_t child) const { return slotsOfPath * path + child; }
     [[nodiscard]] bool goesOn(std::size_t path, std::size_t child = 0) const { return child < alive.host()[path]; }
 };
 
-// Which ways a path takes: one, as trace_closest and shade_surface do it, or all, as trace_whitted does.
+// Next rays that a path follows: one, as in trace_closest and shade_surface, or all, as in trace_whitted.
 enum class Ways { One, All };
 
 inline Bounce shade(BothSides& both, const std::vector<shared::Ray>& rays, const std::vector<shared::CameraPath>& paths,
@@ -111,7 +111,7 @@ inline Bounce shade(BothSides& both, const std::vector<shared::Ray>& rays, const
     return b;
 }
 
-// The ways that the reference goes on, in the order of their slots.
+// The reference's next rays, in the order of their slots.
 inline std::vector<reference::NextRay> waysOf(const reference::Shading& shading) {
     std::vector<reference::NextRay> ways;
     for (const std::optional<reference::NextRay>& next : shading.next) {

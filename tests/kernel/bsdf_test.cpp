@@ -1,5 +1,5 @@
-// The contract of the BSDF models on the device, and each model against its twin: values, densities forth and back, and
-// samples, for random pairs of directions.
+// The contract of the BSDF models on the device, and each model against its twin: values, forward and reverse
+// densities, and samples, for random pairs of directions.
 #include "kernel/kernel_support.h"
 #include "reference/bsdf/bsdf.h"
 #include "unit/gpu/temporary_shaders.h"
@@ -121,7 +121,7 @@ std::vector<Answer> answersOf(BothSides& both, std::uint32_t count) {
     return answers.read();
 }
 
-// Densities of microfacets are fourth powers of cosines right to 2^-24, over squares of what may be small.
+// Microfacet densities are fourth powers of cosines accurate to 2^-24, over squares of possibly small numbers.
 bool near(double actual, double expected) {
     return std::abs(actual - expected) <= 2e-3 * std::abs(expected) + 2e-5;
 }
@@ -175,7 +175,7 @@ TEST_CASE("every BSDF keeps its contract on the device, and agrees with its twin
         CHECK(near(a.samplePdfW, sample->pdfW));
         const bool hasBoth = ((a.flags & shared::kBsdfDiffuse) != 0 && a.flags != shared::kBsdfDiffuse) ||
                              reference::coatOf(model).has_value();
-        if (a.samplePdfW > 0 && !hasBoth) { // one part, whose f cos / pdf it weighs
+        if (a.samplePdfW > 0 && !hasBoth) { // a single part, weighted by f cos / pdf
             CHECK(near(vec3(dvec3(a.weight) * double{a.samplePdfW}), dvec3(a.sampleFCos)));
             CHECK(near(a.samplePdfW, double{a.sampleWholePdfW}));
         }

@@ -51,7 +51,7 @@ void addTree(Scene& scene, Random& random, const dvec3& place, std::size_t leave
         scene.csgLeaves.push_back({.shape = shape, .material = 0, .emission = dvec3(0), .where = {}});
     };
     appendTree(random, leaves, makeLeaf, csg.program);
-    // Within a ball, so that trees with half-spaces have an end too
+    // Within a ball, so that trees with half-spaces are bounded too
     csg.program.push_back(CsgStep::Leaf);
     csg.program.push_back(CsgStep::Intersection);
     scene.csgLeaves.push_back({.shape = Sphere{place, 3}, .material = 0, .emission = dvec3(0), .where = {}});
@@ -94,8 +94,8 @@ struct Tally {
     std::atomic<std::size_t> hits = 0;
     std::atomic<std::size_t> unlike = 0;          // hit or miss, leaf, or distance
     std::atomic<std::size_t> unlikeElsewhere = 0; // of these, those without an edge, a graze or a second face nearby
-    std::atomic<std::size_t> sameSides = 0;       // hits before and after which the point is on the same side
-    std::atomic<std::size_t> thin = 0; // hits where that takes a closer look, another surface being very near
+    std::atomic<std::size_t> sameSides = 0;       // hits with the same membership before and after
+    std::atomic<std::size_t> thin = 0;            // hits that need a closer look, because another surface is very near
 };
 
 bool isInside(const BothSides& both, const reference::Ray& ray, std::uint32_t object, double t) {
@@ -114,7 +114,7 @@ void checkSides(const BothSides& both, const reference::Ray& ray, std::uint32_t 
     ++tally.sameSides;
 }
 
-// Within rounding of the ray there is another answer: the ray passes an edge or a silhouette, or two faces nearly meet.
+// True if the answer changes within rounding of the ray: it passes an edge or a silhouette, or two faces nearly meet.
 bool isUnstable(const BothSides& both, const reference::Ray& ray, const std::optional<reference::Hit>& expected) {
     const double shift = 2 * placeLength(ray, expected ? expected->t : 4);
     Random random;
@@ -288,11 +288,11 @@ TEST_CASE("where faces of boxes coincide, the first leaf that decides is hit on 
     CHECK(elsewhere == 0);
 }
 
-TEST_CASE("ten thousand random CSG trees are hit where they are in the reference", "[csg]") {
+TEST_CASE("ten thousand random CSG trees are hit where the reference hits them", "[csg]") {
     compareTrees(10000);
 }
 
-TEST_CASE("a ray of which a number is none ends, and meets nothing") {
+TEST_CASE("a ray with a NaN terminates and hits nothing") {
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
     constexpr float kEndless = std::numeric_limits<float>::infinity();
     Random random;
@@ -313,7 +313,7 @@ TEST_CASE("a ray of which a number is none ends, and meets nothing") {
             const std::vector<shared::Hit> hits = traceAll(both, broken);
             CHECK(std::ranges::count_if(hits, [](const auto& hit) { return hit.object != shared::kNone; }) == 0);
         }
-        // Numbers that are some, but overflow on the way
+        // Finite numbers that overflow during the intersection
         CHECK(traceAll(both, withEachReplaced(rays, 1e38F)).size() == 7 * rays.size());
         CHECK(traceAll(both, withEachReplaced(rays, 3e19F)).size() == 7 * rays.size());
     }

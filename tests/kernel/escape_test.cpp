@@ -24,7 +24,7 @@ std::vector<shared::Ray> raysInside(const BothSides& both, std::uint32_t count) 
     std::vector<shared::Ray> rays;
     while (rays.size() < count) {
         const dvec3 origin(vec3(random.inCube(2.5)));
-        // Not so near the surface that a float could not tell: one of six steps along the axes would cross it
+        // Ignores points so near the surface that a float cannot decide: one of six steps along the axes would cross it
         bool isDeep = true;
         for (int i = 0; i < 6 && isDeep; ++i) {
             dvec3 step(0);
@@ -76,7 +76,7 @@ std::size_t countEscapes(Scene scene, std::uint32_t count) {
         for (std::uint32_t ray = 0; ray < count; ++ray) {
             if (hits.host()[ray].object == shared::kNone) {
                 ++escapes;
-                nextRays.host()[ray] = rays.host()[0]; // goes on as another one
+                nextRays.host()[ray] = rays.host()[0]; // continues as a new ray
             }
         }
         std::swap(rays, nextRays);

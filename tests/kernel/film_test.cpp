@@ -1,4 +1,4 @@
-// The film: sums that are exact in any order, what is no radiance, and films that are put together.
+// The film: sums that are exact in any order, invalid radiance, and merged films.
 #include "kernel/kernel_support.h"
 #include "render/film/checkpoint.h"
 #include "render/film/film.h"
@@ -56,7 +56,7 @@ struct SmallFilm {
 
 } // namespace
 
-TEST_CASE("a float of 2^-21 to 2^52 comes back from the film as it was") {
+TEST_CASE("a float of 2^-21 to 2^52 comes back from the film unchanged") {
     // 2^-21 has its last digit at 2^-44, the film's step
     for (const float value : {0x1p-21F, 0x1.fffffep-21F, 0x1.234567p-5F, 1.0F, 0x1.fffffep0F, 3.0e9F, 0x1.fffffep51F}) {
         CHECK(valueOf(sumOf(value)) == value);
@@ -70,7 +70,7 @@ TEST_CASE("a float of 2^-21 to 2^52 comes back from the film as it was") {
     }
 }
 
-TEST_CASE("what is smaller is rounded to a step of 2^-44, halves up") {
+TEST_CASE("smaller values are rounded to a step of 2^-44, halves up") {
     CHECK(valueOf(sumOf(0x1.8p-44F)) == 0x1p-43F);
     CHECK(valueOf(sumOf(0x1.4p-44F)) == 0x1p-44F);
     CHECK(valueOf(sumOf(0x1p-45F)) == 0x1p-44F);
@@ -78,7 +78,7 @@ TEST_CASE("what is smaller is rounded to a step of 2^-44, halves up") {
     CHECK(valueOf(sumOf(std::numeric_limits<float>::denorm_min())) == 0.0F);
 }
 
-TEST_CASE("sums are the same in any order, and are what a wider number says") {
+TEST_CASE("sums are the same in any order, and match wider arithmetic") {
     // 200 values below 2^41, all of them multiples of 2^-43: whole numbers and fractions, summed apart in 64 bits each
     reference::test::Random random;
     std::vector<float> values(200);
@@ -103,7 +103,7 @@ TEST_CASE("sums are the same in any order, and are what a wider number says") {
     CHECK(forward.high == static_cast<std::uint32_t>(whole >> 20U));
 }
 
-TEST_CASE("a sum is rounded to the nearest float, of two the even one") {
+TEST_CASE("a sum is rounded to the nearest float, ties to even") {
     // 2^24 + 1 and 2^24 + 3 lie halfway between floats; a step more or less decides
     const auto sum = [](float a, float b, float c) {
         return valueOf(shared::filmAdd(shared::filmAdd(sumOf(a), sumOf(b)), sumOf(c)));
@@ -149,7 +149,7 @@ TEST_CASE("the device adds to the film what the host adds, whatever the order of
     CHECK(a.error->pixels == b.error->pixels);
 }
 
-TEST_CASE("what is no radiance is counted by layer and kind, named by pass and pixel, and left out") {
+TEST_CASE("invalid radiance is counted by layer and kind, reported by pass and pixel, and left out") {
     SmallFilm small;
     std::vector<vec3> good(SmallFilm::kPixels, vec3(1));
     std::vector<vec3> bad = good;
@@ -186,7 +186,7 @@ TEST_CASE("what is no radiance is counted by layer and kind, named by pass and p
           "at it with: hyalite inspect s.yaml --pixel 1,1 --pass 9)");
 }
 
-TEST_CASE("a sum that the film cannot hold is counted, and stays what it was") {
+TEST_CASE("a sum that overflows the film is counted and left unchanged") {
     // 2^52 is the end: 2^51 twice is too much
     SmallFilm small;
     const std::vector<vec3> bright(SmallFilm::kPixels, vec3(0x1p51F, 1, 1));
@@ -198,7 +198,7 @@ TEST_CASE("a sum that the film cannot hold is counted, and stays what it was") {
     CHECK(small.film.state().sums.at(0)[0].red.high == 1U << 31U);
 }
 
-TEST_CASE("films that are put together count, add and overflow as one does") {
+TEST_CASE("merged films count, add and overflow like a single one") {
     const std::vector<vec3> ones(SmallFilm::kPixels, vec3(1));
     const std::vector<vec3> bright(SmallFilm::kPixels, vec3(0x1p51F, kNan, 1));
     SmallFilm first;
@@ -216,7 +216,7 @@ TEST_CASE("films that are put together count, add and overflow as one does") {
     CHECK(fault(shared::kFilmTooBright).count == SmallFilm::kPixels);
 }
 
-TEST_CASE("a set of passes knows its ranges, its sequences and what it has in common with others") {
+TEST_CASE("a set of passes knows its ranges, its sequences and its overlap with others") {
     render::PassSet set({{8, 10}, {0, 3}, {3, 4}, {12, 13}, {5, 8}});
     CHECK(set.ranges() == std::vector<render::PassRange>{{0, 4}, {5, 10}, {12, 13}});
     CHECK(set.text() == "0:4, 5:10, 12:13");
@@ -234,7 +234,7 @@ TEST_CASE("a set of passes knows its ranges, its sequences and what it has in co
     CHECK(set.text() == "0:13");
 }
 
-TEST_CASE("a checkpoint keeps every counter, and parts that are put together add up all of them") {
+TEST_CASE("a checkpoint keeps every counter, and merged parts sum all of them") {
     const test::TemporaryFolder folder;
     std::vector<render::Checkpoint> parts;
     for (std::uint32_t pass = 0; pass < 2; ++pass) {

@@ -18,7 +18,7 @@ public:
 
 } // namespace
 
-TEST_CASE("what is registered to render integrators is what scene files may name, in the same order") {
+TEST_CASE("the registered integrators are those that scene files may name, in the same order") {
     CHECK(std::ranges::equal(render::integratorKinds(), kIntegrators, {}, &render::IntegratorKind::name,
                              &IntegratorRow::name));
     for (const render::IntegratorKind& kind : render::integratorKinds()) {

@@ -51,7 +51,7 @@ inline shared::Ray toDevice(const reference::Ray& ray) {
     return {ray.origin, std::isfinite(ray.tMax) ? static_cast<float>(ray.tMax) : 3e38F, ray.direction, 0};
 }
 
-// What the device's ray says exactly, so that both sides start from the same numbers.
+// The device's ray converted exactly, so that both sides start from the same numbers.
 inline reference::Ray toReference(const shared::Ray& ray) {
     return {.origin = ray.origin, .direction = glm::normalize(dvec3(ray.direction)), .tMax = double{ray.tMax}};
 }
@@ -134,9 +134,9 @@ inline double distance(const vec3& a, const dvec3& b) {
     return glm::length(dvec3(a) - b);
 }
 
-// How ill-conditioned scattering at a hit is: positions that are right to eps give directions right to eps over this.
-// A ray that grazes a curved surface loses digits by 1 / cos of its angle to the normal, and a refracted ray that
-// leaves along the surface is the root of a small difference.
+// Conditioning of scattering at a hit: positions accurate to eps give directions accurate to eps over this. A ray that
+// grazes a curved surface loses digits by 1 / cos of its angle to the normal, and a refracted ray that leaves along the
+// surface is the root of a small difference.
 inline double conditioning(const dvec3& arriving, const dvec3& leaving, const dvec3& normal) {
     return std::abs(glm::dot(arriving, normal) * glm::dot(leaving, normal));
 }

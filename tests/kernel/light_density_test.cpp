@@ -1,5 +1,5 @@
-// The densities that light.glsl says its rays have, against their twins: what importance sampling and aimed photons
-// divide by.
+// The densities that light.glsl gives for its rays, against their twins: importance sampling and aimed photons divide
+// by them.
 #include "kernel/every_light.h"
 #include "unit/gpu/temporary_shaders.h"
 
@@ -35,7 +35,7 @@ void main() {
     LightRay ray = emitFrom(light, sampleUnit(s, 0u), sampleUnit(s, 1u));
     vec3 other = uniformSphere(sampleUnit(s, 2u));
     vec3 receiver = ray.origin + ray.direction;
-    // The numbers that chose the ray choose the way back
+    // The numbers that sampled the ray also sample the way back
     vec2 again = sampleUnit(s, light.type == kLightEnvironment ? 1u : 0u);
     args.densities.at[3u * i] =
         vec3(ray.pdfDirection, ray.pdfOrigin,

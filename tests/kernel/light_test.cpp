@@ -11,10 +11,10 @@ namespace {
 
 using std::numbers::pi;
 
-// How far a photon's origin and direction may differ. The environment is drawn by sums of probabilities right to
-// 2^-24 each, over the least probability of a texel in its row or of a row, about 1/100: 1e-5 of a row's height; where
-// the height is that of a cosine near a pole, its square root. A spot's quantile is the cube root of such a number
-// where the light ends, a mesh's point the square root of one at a corner of its triangle.
+// Tolerance on a photon's origin and direction. The environment is sampled from cumulative probabilities accurate to
+// 2^-24 each, divided by the smallest probability of a texel in its row or of a row, about 1/100: 1e-5 of a row's
+// height, or its square root near a pole, where the height is that of a cosine. A spot's quantile is the cube root of
+// such a number at the edge of the cone, a mesh's point the square root of one at a corner of its triangle.
 double directionTolerance(const reference::Light& light) {
     const bool isSurrounding = std::holds_alternative<reference::SurroundingLight>(light.shape);
     return isSurrounding ? 5e-3 : std::holds_alternative<SpotLight>(light.shape) ? 1e-3 : 1e-5;
@@ -32,7 +32,7 @@ double originTolerance(const reference::Light& light) {
 
 } // namespace
 
-TEST_CASE("light sampling sends the reference's contribution along the reference's ray") {
+TEST_CASE("light sampling gives the reference's ray and contribution") {
     BothSides both(withPaints(everyLight()));
     reference::test::Random random;
     const std::uint32_t count = 20000;
@@ -90,7 +90,7 @@ TEST_CASE("light sampling sends the reference's contribution along the reference
             const reference::LightSample expected = sample.value_or(reference::LightSample{});
             const shared::Ray& ray = rays.host()[i];
             const vec3 contribution = contributions.host()[i];
-            if (!sample || ray.tMax == 0) { // on the light's or the surface's horizon either side may say no
+            if (!sample || ray.tMax == 0) { // on the light's or the surface's horizon either side may reject the sample
                 CHECK(glm::length(expected.contribution) < 1e-4);
                 CHECK((ray.tMax == 0 || glm::length(contribution) < 1e-4));
                 continue;
@@ -124,8 +124,8 @@ TEST_CASE("light sampling sends the reference's contribution along the reference
     }
 }
 
-TEST_CASE("no lamp stands in its own light, however near the origin it is and however far the receiver") {
-    // Lamps whose coordinates say nothing of the length of the shadow rays: a square in the plane x = 0, a small ball
+TEST_CASE("no light occludes itself, however near the origin it is and however far the receiver") {
+    // Lights whose coordinates do not bound the length of the shadow rays: a square in the plane x = 0, a small ball
     // about the origin and a small mesh
     Scene scene;
     scene.meshes = {sphereMesh(4, false)};
@@ -177,7 +177,7 @@ TEST_CASE("no lamp stands in its own light, however near the origin it is and ho
             const shared::VisiblePoint& p = points[i];
             const reference::VisiblePoint x = toReference(both, p);
             const auto sample = reference::sampleLight(both.world, x, 0, light);
-            // What leaves it along its surface may pass through the facets beside it
+            // Rays that leave along the surface may pass through adjacent facets
             const bool clear =
                 sample &&
                 glm::length(sample->contribution) * std::pow(glm::length(sample->to - sample->from), 2) > 1e-6;
@@ -249,7 +249,7 @@ TEST_CASE("photons leave the lights as in the reference, by the lights' pmf") {
           5 * 0.5 / std::sqrt(emitted[0]) * glm::length(both.world.lights[0].power));
 }
 
-TEST_CASE("no flux of any light is lost: it is stored, absorbed, cut off, escaped or under way") {
+TEST_CASE("no flux of any light is lost: it is stored, absorbed, cut off, escaped or still in flight") {
     Scene scene = everyLight();
     scene.render.photons = 20000;
     BothSides both(scene);

@@ -1,6 +1,6 @@
-// Measures the photon maps: `measure_photon_maps PHOTONS…` builds a tree and a grid over so many photons on the walls
-// of a box, a tenth of them heaped up as in a caustic, and estimates radiance on the walls from both; it prints how
-// long that takes by the clock, and how long all cores together have computed: the latter holds on a busy machine too.
+// Measures the photon maps: `measure_photon_maps PHOTONS…` builds a tree and a grid over that number of photons on the
+// walls of a box, a tenth of them concentrated as in a caustic, and estimates radiance on the walls from both. It
+// prints the wall-clock time and the CPU time of all cores; the latter is meaningful on a busy machine too.
 #include "base/stopwatch.h"
 #include "kernel/photon_sets.h"
 #include "kernel/visible_points.h"
@@ -109,7 +109,7 @@ void measure(std::uint32_t count) {
           }),
           1e3, "ms");
     for (const std::uint32_t nearest : {50U, 200U}) {
-        // Half as large again as the disc that the mean density fills with so many
+        // 1.5 times the disc that holds this number of photons at the mean density
         const auto radius = static_cast<float>(1.5 * std::sqrt(nearest * 24 / (0.9 * count * std::numbers::pi)));
         print("grid build", shortest([&] {
                   grid.build(device, slots, count, radius, table, count);

@@ -49,9 +49,9 @@ const Material* materialOf(const BothSides& both, std::uint32_t medium) {
 
 } // namespace
 
-TEST_CASE("camera paths lose in glass what the reference says, enter it at its front and leave it at its back") {
+TEST_CASE("camera paths are absorbed in glass as in the reference, enter it at its front and leave it at its back") {
     Scene scene = absorbingBox();
-    scene.render.integrator = "whitted"; // both ways are followed: no choice that rounding could turn
+    scene.render.integrator = "whitted"; // both directions are followed: no random decision that rounding could flip
     scene.render.minWeight = 0;
     BothSides both(scene);
     const std::uint32_t count = 10000;
@@ -91,7 +91,7 @@ TEST_CASE("camera paths lose in glass what the reference says, enter it at its f
           count / 6); // those that start in the glass ball with the glass for their medium are reflected in it
 }
 
-TEST_CASE("the kernels' exponential is right to a few roundings wherever it is above zero") {
+TEST_CASE("the kernels' exponential is accurate to a few roundings wherever it is above zero") {
     // A light of radiance 1 in the plane z = 0, rays towards it from multiples of 1/8 m in glass that absorbs 1/m: the
     // distance and its product with the coefficient are exact, e^-t alone is not. The series is right to 6e-9, and
     // about four roundings of up to 2^-24 each follow: 2.5e-7.
@@ -114,7 +114,7 @@ TEST_CASE("the kernels' exponential is right to a few roundings wherever it is a
     }
 }
 
-TEST_CASE("photons lose in glass what the reference says, and the account of their flux stays whole") {
+TEST_CASE("photons are absorbed in glass as in the reference, and their flux account balances") {
     BothSides both(absorbingBox());
     const std::uint32_t count = 10000;
     const Bundle b = bundle(both, count);

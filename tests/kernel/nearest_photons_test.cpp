@@ -1,4 +1,4 @@
-// The nearest photons that the kernels find in trees and grids, against those that asking every photon finds.
+// The nearest photons that the kernels find in trees and grids, against a brute-force search.
 #include "kernel/photon_sets.h"
 #include "render/photons/photon_grid.h"
 #include "render/photons/photon_query.h"
@@ -108,7 +108,7 @@ struct Maps {
 
 } // namespace
 
-TEST_CASE("tree and grid find exactly the photons that asking every photon finds, in order of distance") {
+TEST_CASE("tree and grid find exactly the photons of a brute-force search, in order of distance") {
     BothSides both(reference::test::cornellBox());
     reference::test::Random random;
     for (const PhotonSet& set : hardPhotonSets(kPhotons)) {

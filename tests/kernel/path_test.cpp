@@ -33,7 +33,7 @@ std::vector<shared::VisiblePoint> somePoints(const Scene& scene) {
 
 } // namespace
 
-TEST_CASE("paths go on from diffuse surfaces as the reference's do") {
+TEST_CASE("paths bounce off diffuse surfaces as in the reference") {
     BothSides both(withPaints(reference::test::cornellBox()));
     both.world.render.maxDepth = 12;
     const auto points = somePoints(both.scene);
@@ -104,7 +104,7 @@ TEST_CASE("paths go on from diffuse surfaces as the reference's do") {
     CHECK(std::ranges::count(none.host(), 0U) == kPoints);
 }
 
-TEST_CASE("light sampled for paths that go on is weighed against what they may meet themselves") {
+TEST_CASE("light sampled for continuing paths is weighted against the light that they may hit themselves") {
     BothSides both(withPaints(everyLight()));
     const auto points = somePoints(both.scene);
     const auto devicePoints = both.upload(points);
@@ -138,7 +138,7 @@ TEST_CASE("light sampled for paths that go on is weighed against what they may m
                                 : std::nullopt;
         const reference::LightSample twin = sample.value_or(reference::LightSample{});
         const shared::Ray& ray = rays.host()[i];
-        if (!sample || ray.tMax == 0) { // on the light's or the surface's horizon either side may say no
+        if (!sample || ray.tMax == 0) { // on the light's or the surface's horizon either side may reject the sample
             CHECK(glm::length(twin.contribution) < 1e-4);
             CHECK((ray.tMax == 0 || glm::length(contributions.host()[i]) < 1e-4));
             continue;
@@ -148,7 +148,7 @@ TEST_CASE("light sampled for paths that go on is weighed against what they may m
         ++lit;
         weighed += twin.pdfW > 0 ? 1 : 0;
         // Another light, texel or triangle where a random number falls within a rounding of a limit between two;
-        // weights of points close to a lamp magnify the rounding of its distance
+        // weights of points close to a light magnify the rounding of its distance
         coins += glm::distance(dvec3(contributions.host()[i]), expected) > 2e-3 * glm::length(expected) ? 1 : 0;
     }
     CHECK(coins <= kPoints / 200);

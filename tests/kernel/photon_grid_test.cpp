@@ -98,7 +98,7 @@ TEST_CASE("the grid holds every stored photon once, buckets together, in the ord
     }
 }
 
-TEST_CASE("gathering meets every photon of the disc once, also where cells share buckets") {
+TEST_CASE("gathering finds every photon of the disc once, even if cells share buckets") {
     BothSides both(withPaints(reference::test::cornellBox()));
     render::PhotonGrid grid(both.device);
     reference::test::Random random;
@@ -143,7 +143,7 @@ TEST_CASE("gathering meets every photon of the disc once, also where cells share
     }
 }
 
-TEST_CASE("a disc that reaches over the edges of a parallelogram counts with what lies on it") {
+TEST_CASE("a disc that extends beyond a parallelogram counts with its area inside") {
     // Photons all over a slanted parallelogram, and points up to its edges and corners
     Scene scene;
     const Quad quad{{-0.5, -0.4, 0}, {1.1, 0.2, 0}, {-0.3, 0.9, 0}};

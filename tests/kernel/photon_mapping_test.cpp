@@ -109,7 +109,7 @@ TEST_CASE("aimed photons leave the lights as in the reference") {
         for (std::uint32_t i = 0; i < pass.count; ++i) {
             const reference::Emission expected = reference::emitPhoton(both.world, i, pass);
             const double strength = glm::length(expected.power);
-            // At the rim of a cone or of the lamp's horizon a photon is in on one side only, or has another overlap
+            // At the rim of a cone or of the light's horizon a photon is in on one side only, or has another overlap
             if (emitted.paths[i].light != expected.light ||
                 distance(emitted.paths[i].power, expected.power) > 1e-3 * strength ||
                 distance(emitted.rays[i].direction, expected.ray.direction) > 1e-4) {
@@ -125,8 +125,8 @@ TEST_CASE("aimed photons leave the lights as in the reference") {
 
 TEST_CASE("aimed photons carry the flux that the light sends towards the targets") {
     // A point light of 1 W/sr at the distance 2 from a ball of radius 0.5, and from another that overlaps it: the flux
-    // through the union of the two cones is what the share of unaimed photons through it says. One cone alone holds
-    // 2 pi (1 - cos a) with sin a = 1/4: 0.19946 sr.
+    // through the union of the two cones follows from the share of unaimed photons through it. One cone alone holds 2
+    // pi (1 - cos a) with sin a = 1/4: 0.19946 sr.
     Scene scene;
     const std::size_t glass = reference::test::addMaterial(scene, Dielectric{1.5});
     scene.lights = {{{0, 0, 0}, dvec3(1)}};
@@ -147,7 +147,7 @@ TEST_CASE("aimed photons carry the flux that the light sends towards the targets
     reference::test::addObject(scene, Sphere{{2, 0.4, 0.1}, 0.6}, glass);
     BothSides both(scene);
     const Emitted emitted = emitCausticPhotons(both, causticPass(count));
-    // By an even grid of directions: longitude and the sine of latitude
+    // With a uniform grid of directions: longitude and the sine of latitude
     std::size_t inside = 0;
     const int grid = 2000;
     for (int i = 0; i < grid; ++i) {
@@ -174,7 +174,7 @@ TEST_CASE("aimed photons carry the flux that the light sends towards the targets
     CHECK(std::abs(low / high - 0.5) < 1e-3);
 }
 
-TEST_CASE("shadow photons fall where the reference's fall") {
+TEST_CASE("shadow photons land where the reference's land") {
     Scene scene = litBox();
     scene.render.photons = 3000;
     BothSides both(scene);
@@ -200,7 +200,7 @@ TEST_CASE("shadow photons fall where the reference's fall") {
     }
     CHECK(100 * alike >= 99 * expected.size());
     CHECK(direct > 1000);
-    CHECK(alike - direct > 200); // behind the spheres and the lamps
+    CHECK(alike - direct > 200); // behind the spheres and the lights
 }
 
 // Sorted by every bit, since pieces are listed one after the other.
@@ -213,7 +213,7 @@ std::vector<std::array<std::uint32_t, 8>> sortedBits(const gpu::Array<shared::Ph
     return bits;
 }
 
-TEST_CASE("photons traced in pieces are, bit for bit, those traced at once, and so is the account of their flux") {
+TEST_CASE("photons traced in pieces, and their flux account, are bit for bit those traced at once") {
     const Scene scene = litBox();
     const std::uint32_t count = 3000;
     const std::uint32_t sequence =
@@ -255,7 +255,7 @@ TEST_CASE("shadow photons cast in pieces are those cast at once") {
     CHECK(slotsOfParts == slotsOfWhole);
 }
 
-TEST_CASE("a gathering ray leaves with the numbers and the weight of the reference's, never into the surface") {
+TEST_CASE("a gather ray has the reference's random numbers and weight, and never points into the surface") {
     BothSides both(withPaints(reference::test::cornellBox()));
     reference::test::Random random;
     const std::uint32_t count = 5000;
@@ -303,7 +303,7 @@ TEST_CASE("a gathering ray leaves with the numbers and the weight of the referen
     CHECK(started > count / 4);
 }
 
-TEST_CASE("known visibility spares shadow rays: lit places get the light, hidden ones none") {
+TEST_CASE("known visibility saves shadow rays: lit points get the light, occluded ones none") {
     BothSides both(reference::test::cornellBox());
     const std::uint32_t count = 300;
     std::vector<shared::uint> lit(count);

@@ -20,8 +20,8 @@ static_assert(shared::kPhotonShadow == static_cast<std::uint32_t>(PhotonKind::Sh
 // octahedral encoding of 11 bits is right to 2.08e-3.
 constexpr double kNormalError = 2.08e-3;
 
-// Positions are right to a few 1e-7, normals on spheres of radius 0.05 to twenty times that; so are directions, and
-// weights that depend on them, once their conditioning is taken out.
+// Positions are accurate to a few 1e-7, normals on spheres of radius 0.05 to twenty times that; so are directions, and
+// weights that depend on them, after dividing out their conditioning.
 constexpr double kScatterError = 2e-5;
 
 dvec3 unpackNormal(std::uint32_t bits) {

@@ -1,4 +1,4 @@
-// Sets of photons that searches find hard, and their twins in the reference.
+// Sets of photons that are hard to search, and their twins in the reference.
 #pragma once
 
 #include "kernel/kernel_support.h"

@@ -33,7 +33,7 @@ struct BuiltTree {
     std::vector<shared::Photon> nodes;
     std::vector<std::uint32_t> slots;
 
-    // Is every photon under `node` on the right side of every node above it? A walk up from each.
+    // True if every photon under `node` is on the correct side of every node above it; walks up from each photon.
     [[nodiscard]] bool isOrdered(std::uint32_t node) const {
         for (std::uint32_t child = node; child > 0;) {
             const std::uint32_t parent = (child - 1) / 2;
@@ -82,7 +82,7 @@ BuiltTree buildTree(BothSides& both, render::PhotonTree& tree, const std::vector
 
 } // namespace
 
-TEST_CASE("the left subtree of a left-balanced tree holds the nodes whose way from the root begins with a left turn") {
+TEST_CASE("the left subtree of a left-balanced tree holds the nodes whose path from the root starts with a left turn") {
     for (std::uint32_t count = 1; count < 700; ++count) {
         std::uint32_t left = 0;
         for (std::uint32_t node = 1; node < count; ++node) {
@@ -96,7 +96,7 @@ TEST_CASE("the left subtree of a left-balanced tree holds the nodes whose way fr
     }
 }
 
-TEST_CASE("every photon stands once in the tree, on its side of every node above, split along the longest edge") {
+TEST_CASE("every photon is in the tree once, on its side of every node above, split along the longest edge") {
     BothSides both(reference::test::cornellBox());
     render::PhotonTree tree(both.device);
     std::vector<PhotonSet> sets = hardPhotonSets(20000);
@@ -125,7 +125,7 @@ TEST_CASE("every photon stands once in the tree, on its side of every node above
     }
 }
 
-TEST_CASE("a tree is the same whatever stood in its memory before") {
+TEST_CASE("a tree does not depend on the previous contents of its memory") {
     BothSides both(reference::test::cornellBox());
     render::PhotonTree used(both.device);
     render::PhotonTree fresh(both.device);
@@ -138,7 +138,7 @@ TEST_CASE("a tree is the same whatever stood in its memory before") {
     }
 }
 
-TEST_CASE("photons that find no room in the table are refused") {
+TEST_CASE("photons that do not fit into the table are refused") {
     BothSides both(reference::test::cornellBox());
     render::PhotonTree tree(both.device);
     const auto photons = both.upload(slotsOf(hardPhotonSets(100)[4]));

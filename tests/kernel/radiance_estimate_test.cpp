@@ -154,13 +154,13 @@ TEST_CASE("the radiance estimate is the reference's, from the tree and, bit for 
                                   distance(tree.radiance[i], expected.radiance) < 1e-4 * expected.radiance.x + 1e-7;
                 differ += same ? 0 : 1;
             }
-            // Rounding decides where a photon lies on the rim, or a change is the largest that is let pass
+            // Rounding decides if a photon is on the rim, or a change is at the limit
             CHECK(differ <= points.size() / 200);
         }
     }
 }
 
-TEST_CASE("on a plane with photons by chance the mean of the estimate is the density, with every filter and radius") {
+TEST_CASE("on a plane with random photons the mean of the estimate is the density, with every filter and radius") {
     // Photons of 1 W, evenly by chance on the unit square, at density n: L = f n. The discs of the queries do not meet,
     // so that the estimates are nearly independent. The mean of 1521 is off by more than 4.5 of its standard deviations
     // once in 147 000; with the k-th photon counted it would be off by 1/19, more than 8.
@@ -195,7 +195,7 @@ TEST_CASE("on a plane with photons by chance the mean of the estimate is the den
     }
 }
 
-TEST_CASE("no light leaks through a thin wall, round a corner or down a step") {
+TEST_CASE("no light leaks through a thin wall, around a corner or down a step") {
     BothSides both(reference::test::cornellBox());
     reference::test::Random random;
     std::vector<shared::Photon> slots;

@@ -58,7 +58,7 @@ TEST_CASE("a bounce off rough and metallic surfaces is that of the reference") {
     const RoughBounce b(ways);
     std::size_t rough = 0;
     std::size_t coated = 0;
-    std::size_t choices = 0; // a coin on the edge, or a direction along the surface
+    std::size_t choices = 0; // a random decision at its threshold, or a direction along the surface
     for (std::size_t i = 0; i < b.rays.size(); ++i) {
         if (!b.expected[i]) {
             continue;
@@ -140,7 +140,7 @@ TEST_CASE("rough points get the light of the reference's samples") {
             outliers += distance(direct.host()[i], expected) > 1e-3 * glm::length(expected) + 1e-4 ? 1 : 0;
         }
         CHECK(lit > 500);
-        // Past the edge of what is in the way, on a horizon, and where both directions graze a small sphere
+        // Past the edge of an occluder, on a horizon, and where both directions graze a small sphere
         CHECK(outliers <= lit / 100);
     }
 }

@@ -1,6 +1,6 @@
-// Every sampler draws from the distribution it says, on the device and in the reference: Pearson's test of draws with
-// independent numbers. Where a map of the draws to the unit square makes them uniform, that map is the theory; else
-// densities known on paper are summed over cells.
+// Every sampler draws from its stated distribution, on the device and in the reference: Pearson's test of draws with
+// independent numbers. The theory is a mapping of the draws to the unit square that makes them uniform or, without one,
+// analytic densities summed over cells.
 #include "kernel/kernel_support.h"
 #include "reference/bsdf/bsdf.h"
 #include "reference/bsdf/ggx.h"
@@ -295,7 +295,7 @@ Verdict follows(FalseAlarms& alarms, const Theory& theory, const std::function<d
 
 } // namespace
 
-TEST_CASE("every sampler draws from the distribution it says, on both sides") {
+TEST_CASE("every sampler draws from its stated distribution, on both sides") {
     BothSides both(sampledScene());
     REQUIRE(both.deviceScene.lightCount == kLights);
     const TemporaryShaders folder;
@@ -321,7 +321,7 @@ TEST_CASE("every sampler draws from the distribution it says, on both sides") {
     }
 }
 
-TEST_CASE("camera rays start evenly over the lens, aimed photons go evenly into the cone about their target") {
+TEST_CASE("camera rays start uniformly over the lens, aimed photons are uniform in the cone about their target") {
     Scene scene;
     scene.camera.aperture = 0.5;
     scene.camera.resolution = {320, 320};

@@ -21,7 +21,7 @@ void compareChild(const reference::NextRay& expected, const dvec3& arriving, con
     CHECK(path.samplerSeed == expected.path.samplerSeed);
 }
 
-// What the reference adds to the emission at a visible point, from every lamp.
+// Direct light from every light that the reference adds to the emission at a visible point.
 dvec3 lightOn(const BothSides& both, const std::optional<reference::VisiblePoint>& x, std::uint32_t pass) {
     dvec3 sum(0);
     for (std::uint32_t lamp = 0; x && lamp < both.world.lights.size(); ++lamp) {
@@ -33,7 +33,7 @@ dvec3 lightOn(const BothSides& both, const std::optional<reference::VisiblePoint
     return sum;
 }
 
-// Rays from all over the room; those that would not hit the same object are left out, they are trace_test's matter.
+// Rays from all over the room; rays that do not hit the same object are left out: trace_test covers them.
 void compareShading(Scene scene, Ways ways, std::uint32_t depth) {
     scene.render.integrator = ways == Ways::All ? "whitted" : "ppm";
     BothSides both(scene);
@@ -50,7 +50,7 @@ void compareShading(Scene scene, Ways ways, std::uint32_t depth) {
     const Bounce b = shade(both, rays, paths, depth, pass, ways);
 
     std::size_t compared = 0;
-    std::size_t choices = 0; // a coin that falls on the other side of a reflectance that is right to rounding
+    std::size_t choices = 0; // a random decision at its threshold: the reflectance is accurate to rounding
     std::size_t lit = 0;
     std::size_t edges = 0; // shadow rays past an edge
     for (std::size_t i = 0; i < count; ++i) {
@@ -100,7 +100,7 @@ void compareShading(Scene scene, Ways ways, std::uint32_t depth) {
 
 } // namespace
 
-TEST_CASE("one bounce of a camera path that chooses is that of the reference") {
+TEST_CASE("one bounce of a camera path that picks a next ray is that of the reference") {
     compareShading(reference::test::cornellBox(), Ways::One, 1);
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("meshes, smooth and mirrored ones too, shade as in the reference") {
     compareShading(crowdedBox(), Ways::All, 1);
 }
 
-TEST_CASE("no path goes on from the last bounce") {
+TEST_CASE("no path continues after the last bounce") {
     Scene scene = reference::test::cornellBox();
     scene.render.maxDepth = 4;
     compareShading(scene, Ways::One, 4);

@@ -1,4 +1,4 @@
-// Every shape by a million rays: trace_closest and the surfaces it leads to against the reference.
+// Every shape with a million rays: trace_closest and the resulting surfaces against the reference.
 #include "kernel/kernel_support.h"
 #include "support/random_shapes.h"
 
@@ -16,9 +16,9 @@ constexpr std::size_t kRays = 1000000;
 // Of a million rays ten may differ, and they must pass a silhouette or edge.
 constexpr double kUnlike = 1e-5;
 
-// How far [m] from where it should be a surface about one metre in size may be met: eight roundings of 2^-24 in a space
-// that is stretched four times as much along one axis as along another (see randomPlacement). A ray that meets it at an
-// angle has t only as right as this over the cosine.
+// Largest error [m] of a hit on a surface about one metre in size: eight roundings of 2^-24 in a space stretched four
+// times as much along one axis as along another (see randomPlacement). For a ray that hits at an angle, the error in t
+// is this over the cosine.
 constexpr double kPlaceError = 0x1p-19;
 
 // What the kernels find along a ray.
@@ -104,8 +104,8 @@ bool areAlike(const std::optional<reference::Hit>& a, const std::optional<refere
            (!a || (a->leaf == b->leaf && a->primitive == b->primitive && std::abs(a->t - b->t) <= apart));
 }
 
-// Whether what a ray meets changes abruptly within `shift` of it: another part of the shape, or a point farther away
-// than ten times the shift.
+// True if the hit changes abruptly within `shift` of the ray: another part of the shape, or a point farther away than
+// ten times the shift.
 bool isOnSilhouette(const reference::World& world, const reference::Ray& ray, double shift) {
     const auto centre = reference::traceClosest(world, ray);
     Random random;
@@ -201,14 +201,14 @@ void checkShape(const std::string& name, const Shape& shape) {
 
 } // namespace
 
-TEST_CASE("a million rays hit every quadric where they hit it in the reference", "[shapes]") {
+TEST_CASE("a million rays hit every quadric where the reference hits it", "[shapes]") {
     Random random;
     for (const NamedForm& named : namedForms()) {
         checkShape(std::string(named.name), quadric(named, randomPlacement(random, 0.7, 0.2)));
     }
 }
 
-TEST_CASE("a million rays hit open quadrics where they hit them in the reference", "[shapes]") {
+TEST_CASE("a million rays hit open quadrics where the reference hits them", "[shapes]") {
     Random random;
     for (const NamedForm& named : namedForms()) {
         if (named.name != "box") {
@@ -219,7 +219,7 @@ TEST_CASE("a million rays hit open quadrics where they hit them in the reference
     }
 }
 
-TEST_CASE("a million rays hit quadrics without end where they hit them in the reference", "[shapes]") {
+TEST_CASE("a million rays hit unbounded quadrics where the reference hits them", "[shapes]") {
     Random random;
     for (const NamedForm& named : namedForms()) {
         if (named.name != "box") {
@@ -230,7 +230,7 @@ TEST_CASE("a million rays hit quadrics without end where they hit them in the re
     }
 }
 
-TEST_CASE("a million rays hit spheres, flat shapes and tori where they hit them in the reference", "[shapes]") {
+TEST_CASE("a million rays hit spheres, flat shapes and tori where the reference hits them", "[shapes]") {
     Random random;
     checkShape("sphere", Sphere{{0.1, -0.2, 0.3}, 0.8});
     checkShape("quad", Quad{{-0.7, -0.5, 0.1}, {1.5, 0.2, 0.3}, {-0.2, 1.4, 0.1}});

@@ -53,7 +53,7 @@ Scene texturedRoom() {
     reference::test::addObject(scene, Sphere{{0.5, -0.5, 0.3}, 0.3}, mirror);
     reference::test::addObject(scene, Sphere{{0, -0.6, 0.6}, 0.3}, worn);
     reference::test::addObject(scene, Disk{{0, 0, -0.7}, {0.3, 0, 0}, {0, 0.3, 0.1}}, textured[0]);
-    // A ball less a ball: the hollow shows the coordinates of the second one
+    // A ball minus a ball: the hollow shows the coordinates of the second one
     scene.csgLeaves = {{.shape = Sphere{{0, 0.3, 0.2}, 0.3}, .material = textured[2], .where = {}},
                        {.shape = Sphere{{0, 0.5, 0.3}, 0.25}, .material = textured[0], .where = {}}};
     reference::test::addObject(scene, Csg{0, {CsgStep::Leaf, CsgStep::Leaf, CsgStep::Difference}}, std::nullopt);
@@ -102,7 +102,7 @@ TEST_CASE("textured surfaces have the colours of the reference on every shape") 
             continue;
         }
         ++compared[hit->object];
-        // Coordinates are right to 1e-6 of up to 64 texels, neighbouring texels differ by up to 1 in each channel.
+        // Coordinates are accurate to 1e-6 of up to 64 texels, neighbouring texels differ by up to 1 in each channel.
         // Beside the edge of a cell, and at the poles of a sphere, rounding decides.
         edges += difference < 2e-4 ? 0 : 1;
     }

@@ -50,19 +50,19 @@ void compareHits(BothSides& both, std::size_t count, std::size_t unlike) {
 
 } // namespace
 
-TEST_CASE("rays among few objects hit what they hit in the reference") {
+TEST_CASE("rays among few objects hit what the reference hits") {
     BothSides both(reference::test::cornellBox());
     REQUIRE(both.deviceScene.specialization.at("kFewObjects") > 0);
     compareHits(both, 100000, 2);
 }
 
-TEST_CASE("rays through the hierarchies of objects and meshes hit what they hit in the reference") {
+TEST_CASE("rays through the hierarchies of objects and meshes hit what the reference hits") {
     BothSides both(crowdedBox());
     REQUIRE(both.deviceScene.specialization.at("kFewObjects") == 0);
     compareHits(both, 100000, 4);
 }
 
-TEST_CASE("a ray that misses every object says so") {
+TEST_CASE("a ray that misses every object reports a miss") {
     BothSides both(reference::test::cornellBox());
     // Away from the box, beside it, and towards it but too short
     const auto hits = trace(
@@ -72,12 +72,12 @@ TEST_CASE("a ray that misses every object says so") {
     }
 }
 
-TEST_CASE("rays along the axes meet the boxes of the hierarchy") {
+TEST_CASE("rays along the axes hit the boxes of the hierarchy") {
     // Directions with two zero components, where 1 / direction is infinite
     Scene scene = crowdedBox();
     BothSides both(scene);
     std::vector<shared::Ray> rays;
-    for (std::size_t i = 8; i < 38; ++i) { // the thirty spheres, each met at distance 5 - radius along every axis
+    for (std::size_t i = 8; i < 38; ++i) { // the thirty spheres, each hit at distance 5 - radius along every axis
         const auto& sphere = std::get<Sphere>(scene.objects[i].shape);
         for (int axis = 0; axis < 3; ++axis) {
             dvec3 direction(0);

@@ -1,4 +1,4 @@
-// Points of camera paths, as the device leaves them and as tests make them up, for the reference.
+// Visible points of camera paths, from the device or constructed by tests, for the reference.
 #pragma once
 
 #include "kernel/kernel_support.h"

@@ -1,4 +1,4 @@
-// The judge itself: what it calls equal, apart and failed.
+// The comparison itself: which results it counts as equal, apart and failed.
 #include "parity/checks/checks.h"
 #include "parity/comparison.h"
 
@@ -84,7 +84,7 @@ TEST_CASE("errors are measured in units in the last place of a float, and relati
     CHECK(
         errorOf(color, value(glm::dvec3(0x1p-10 + 0x1p-22, 0, 0)), value(glm::dvec3(0x1p-10, 0, 0), 1), 100).relative ==
         0x1p-22);
-    // What is not a number is no match of anything else
+    // NaN matches nothing else
     CHECK(std::isinf(errorOf(color, value(glm::dvec3(NAN)), value(glm::dvec3(1)), 1).relative));
     CHECK(std::isinf(errorOf(color, value(glm::dvec3(INFINITY)), value(glm::dvec3(1)), 1).relative));
     CHECK(errorOf(color, value(glm::dvec3(INFINITY)), value(glm::dvec3(INFINITY)), 1).relative == 0);
@@ -111,11 +111,11 @@ TEST_CASE(
     CHECK_FALSE(result.passed());
     const FieldResult& object = result.fields.front();
     REQUIRE(object.offenders.size() == 2);
-    CHECK(object.offenders[0].cause.empty()); // what nothing explains comes first
+    CHECK(object.offenders[0].cause.empty()); // unexplained offenders come first
     CHECK(object.offenders[1].cause == "edge, silhouette, or surfaces in one place");
 }
 
-TEST_CASE("a number is apart within what roundings of the input make of it, and has failed beyond") {
+TEST_CASE("a number is apart within the effect of input roundings, and has failed beyond it") {
     // t = 1000 x: moves of x by up to kNudge 2^-24 move t by 1000 times that
     const Comparison::Twin steep = [](Nudge nudge) {
         return hitOf(1, 1000 * nudge.point(glm::dvec3(1e-3, 0, 0), 1).x);
@@ -129,7 +129,7 @@ TEST_CASE("a number is apart within what roundings of the input make of it, and 
     CHECK(comparison.compare("", 2, hitOf(1, 1 + 4 * reach), steep, noInputs) == Outcome::Failed);
 }
 
-TEST_CASE("a stage where roundings decide too often does not pass") {
+TEST_CASE("a stage with too many differences due to rounding fails") {
     const Comparison::Twin coin = [](Nudge nudge) { return hitOf(nudge.movesNothing() ? 1 : 2, 5); };
     const Comparison::Twin sure = [](Nudge) { return hitOf(1, 5); };
     Comparison comparison = hitComparison();
@@ -143,7 +143,7 @@ TEST_CASE("a stage where roundings decide too often does not pass") {
     CHECK_FALSE(comparison.result().passed());
 }
 
-TEST_CASE("the table of docs/parity.md is that of the tolerances") {
+TEST_CASE("the table of docs/parity.md matches the tolerances") {
     std::ifstream file(HYALITE_SOURCE_DIR "/docs/parity.md");
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     std::string table = "| what | relative | to | why |\n|---|---|---|---|\n";
@@ -157,14 +157,14 @@ TEST_CASE("the table of docs/parity.md is that of the tolerances") {
     CHECK(text.find("\n" + table + "\n") != std::string::npos); // an empty line ends it
 }
 
-TEST_CASE("an answer with a field that its check does not list is a fault of the check") {
+TEST_CASE("an answer with a field that its check does not list is a programming error") {
     Comparison comparison = hitComparison();
     Answer answer = hitOf(1, 5);
     answer.vector(kColors.color, glm::dvec3(1));
     CHECK_THROWS_AS(comparison.compareExact("", 0, answer, answer), std::logic_error);
 }
 
-TEST_CASE("every kernel has a check, and no check is without a twin and fields that give a reason") {
+TEST_CASE("every kernel has a check, and every check has a twin and fields with reasons") {
     std::set<std::string> kernels;
     for (const auto& file : std::filesystem::directory_iterator(HYALITE_SOURCE_DIR "/shaders/kernels")) {
         if (file.path().extension() == ".comp") {
@@ -172,7 +172,7 @@ TEST_CASE("every kernel has a check, and no check is without a twin and fields t
         }
     }
     REQUIRE(kernels.erase("self_test") == 1);       // its answers are known
-    REQUIRE(kernels.erase("nearest_photons") == 1); // asked by tests alone
+    REQUIRE(kernels.erase("nearest_photons") == 1); // used only by tests
     std::set<std::string> checked;
     for (const Check* check : allChecks()) {
         INFO(check->kernel);

@@ -1,4 +1,4 @@
-// Pictures of what a scene is rather than of its light: each of their dispatches against its twin.
+// Debug views of a scene instead of its light: each of their dispatches against its twin.
 #include "parity/capture.h"
 #include "render/debug/debug_view.h"
 #include "render/wavefront/device.h"
@@ -42,7 +42,7 @@ Drawn draw(render::DebugQuantity quantity) {
 
 } // namespace
 
-TEST_CASE("normals, depths and bounces are drawn as the reference says") {
+TEST_CASE("normals, depths and bounces are drawn as in the reference") {
     for (const auto quantity :
          {render::DebugQuantity::Normals, render::DebugQuantity::Depth, render::DebugQuantity::Bounces}) {
         const Drawn drawn = draw(quantity);

@@ -1,4 +1,4 @@
-// What dispatches are seen to read, and single paths on both sides.
+// Observed inputs of dispatches, and single paths on both sides.
 #include "parity/inspection_session.h"
 #include "parity/observed.h"
 #include "render/integrators/registry.h"
@@ -61,7 +61,7 @@ bool areEqual(const parity::Vertex& a, const parity::Vertex& b) {
 
 } // namespace
 
-TEST_CASE("a dispatch was for as many elements as the host said, or as the device had counted before it") {
+TEST_CASE("a dispatch covers the number of elements given by the host or counted on the device before it") {
     const Gpu& gpu = Gpu::shared();
     render::Device device(gpu.context(), gpu.compiler(), false);
     const gpu::Array<shared::uint> counted(gpu.context(), std::vector<shared::uint>{7, 9}, "counted");
@@ -79,7 +79,7 @@ TEST_CASE("a dispatch was for as many elements as the host said, or as the devic
     CHECK(seen.count(shared::UintArray{}) == 0); // nothing there
 }
 
-TEST_CASE("a path followed alone is that path among all of its pass") {
+TEST_CASE("a path followed alone equals that path among all paths of its pass") {
     const auto agree = [](const parity::RecordedPath& alone, const parity::RecordedPath& among) {
         REQUIRE_FALSE(alone.device.empty());
         REQUIRE(alone.device.size() == among.device.size());
@@ -108,7 +108,7 @@ TEST_CASE("a path followed alone is that path among all of its pass") {
     }
 }
 
-TEST_CASE("whatever ends the recording of a path, no observer of it stays behind") {
+TEST_CASE("however the recording of a path ends, no observer stays registered") {
     struct Impatient : gpu::DispatchObserver {
         int left = 3;
         void before(const gpu::Dispatch& /*dispatch*/) override {

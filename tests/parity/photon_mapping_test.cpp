@@ -22,8 +22,8 @@ Scene smallScene(const std::string& file) {
 
 } // namespace
 
-// The k nearest photons are the same, but where a path of one of them parted, or where two are as far away to rounding:
-// a few estimates in a hundred then differ, by 1 / k.
+// The k nearest photons are the same, unless the path of one of them diverged, or two are at the same distance to
+// rounding: then a few estimates in a hundred differ, by 1 / k.
 TEST_CASE("photonmap gives the reference's picture of the default scene, with every setting") {
     const char* const settings[] = {"gather_rays: 1",
                                     "gather_rays: 0",
@@ -52,7 +52,7 @@ TEST_CASE("photonmap gives the reference's picture of the default scene, with ev
     }
 }
 
-TEST_CASE("photonmap gives the reference's picture in the light of every lamp") {
+TEST_CASE("photonmap gives the reference's picture under every kind of light") {
     comparePictures("photonmap-lights", smallScene("tests/all-lights.yaml"), 0.97);
 }
 

@@ -11,7 +11,7 @@ TEST_CASE("whitted gives the reference's picture of mirror, glass and a square l
     Scene scene = reference::test::cornellBox();
     scene.render.integrator = "whitted";
     scene.camera.resolution = {96, 96};
-    // All is decided by the same numbers: only a ray past an edge may differ
+    // The same numbers decide everything: only a ray past an edge may differ
     comparePictures("whitted-cornell", scene, 0.999);
 }
 
@@ -31,7 +31,8 @@ TEST_CASE("ppm gives the reference's picture of the default scene") {
     scene.render.passes = 16;
     scene.render.photons = 50000;
     scene.render.radius = 0.05;
-    // Some 300 photons a pixel; one that lands on the rim of the disc on one side only is 0.3 % of its indirect light
+    // About 300 photons per pixel; one that lands on the rim of the disc on one side only is 0.3 % of its indirect
+    // light
     comparePictures("ppm-cornell", scene, 0.99);
 }
 
@@ -82,7 +83,7 @@ TEST_CASE("ppm gives the reference's picture of meshes, point lights and many sp
     scene.render.passes = 16;
     scene.render.photons = 30000;
     scene.render.radius = 0.08;
-    // As above, with paths that part after grazing one of thirty small spheres
+    // As above, with paths that diverge after grazing one of thirty small spheres
     comparePictures("ppm-crowded", scene, 0.97);
 }
 

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Renders one scene by hyalite and by POV-Ray 3.7, by turns, and says which is faster and how alike the pictures are.
+"""Renders one scene by hyalite and by POV-Ray 3.7, alternately; reports which is faster and how similar the pictures are.
 
   compare_povray.py [--runs N] [--program HYALITE] [--keep FOLDER]
 
-Needs Debian's povray (apt-get install povray). hyalite's time is that of a pass after the first, POV-Ray's what it calls
-trace time: neither counts start-up, reading the scene or writing the picture; one ray a pixel, on all cores. The
-machine should have nothing else to do.
+Needs Debian's povray (apt-get install povray). hyalite's time is that of a pass after the first, POV-Ray's is its trace time:
+neither includes start-up, reading the scene or writing the picture; one ray per pixel, on all cores. The machine should
+be otherwise idle.
 """
 
 import argparse

@@ -21,7 +21,7 @@ Gpu::Gpu() : compiler_(HYALITE_SOURCE_DIR "/shaders", HYALITE_TEST_CACHE) {
     tables_ = std::make_unique<gpu::TexelTables>(*context_, TABLE_COUNT);
 }
 
-// Runs after main, so that what the layers say of the clean-up counts too; Catch2 has given its verdict by then.
+// Runs after main, so that validation messages during clean-up count too; Catch2 has already reported by then.
 Gpu::~Gpu() {
     kernels_.clear();
     tables_.reset();

@@ -1,5 +1,5 @@
-// The device that all tests of one program share. With HYALITE_VALIDATION set in the environment the validation layers
-// watch it, and any message of theirs fails the program.
+// The device shared by all tests of one program. If HYALITE_VALIDATION is set in the environment, validation layers are
+// enabled, and any message from them fails the program.
 #pragma once
 
 #include "gpu/commands.h"
@@ -19,7 +19,7 @@ public:
     Gpu(const Gpu&) = delete;
     Gpu& operator=(const Gpu&) = delete;
 
-    // Made at first use; a machine without a usable device fails the test that asks.
+    // Created on first use; without a usable device, the requesting test fails.
     static Gpu& shared();
 
     [[nodiscard]] const gpu::Context& context() const { return *context_; }
@@ -27,8 +27,8 @@ public:
     [[nodiscard]] const gpu::ShaderCompiler& compiler() const { return compiler_; }
     // All TABLE_* bindings of shaders/shared/scene_records.h.
     [[nodiscard]] gpu::TexelTables& tables() { return *tables_; }
-    // Made at its first use and kept: what takes longest about a small dispatch is to compile its kernel. Fits any
-    // tables that have all the bindings.
+    // Created on first use and kept: compiling the kernel takes most of the time of a small dispatch. Fits any tables
+    // that have all the bindings.
     [[nodiscard]] const gpu::Kernel& kernel(const std::string& name, const gpu::Specialization& specialization);
 
 private:

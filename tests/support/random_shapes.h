@@ -26,7 +26,7 @@ inline dmat4 randomPlacement(Random& random, double size, double spread) {
     return glm::scale(map, stretch) * shear;
 }
 
-// A form in its usual place, and the box that bounds it, if it needs one.
+// A quadric in its standard position, and its clip box if it needs one.
 struct NamedForm {
     std::string_view name;
     QuadricForm form;
@@ -76,7 +76,8 @@ inline Shape randomSolid(Random& random, double size, double spread) {
     return Plane{random.inCube(spread), random.direction()};
 }
 
-// Appends a tree of so many leaves to the program; the split of leaves between operands is random, so trees lean.
+// Appends a tree with this number of leaves to the program; the leaves are split randomly between operands, so trees
+// are unbalanced.
 template <class MakeLeaf>
 void appendTree(Random& random, std::size_t leaves, MakeLeaf&& makeLeaf, std::vector<CsgStep>& program) {
     if (leaves == 1) {

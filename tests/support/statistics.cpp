@@ -75,7 +75,7 @@ void FalseAlarms::use() {
 
 Verdict FalseAlarms::judge(const Estimate& e, std::size_t samples, double expected, const Sharpness& sharpness) const {
     const double scale = std::abs(expected);
-    // Beyond the bias; without noise nothing beyond it is plausible
+    // Deviation beyond the bias; without noise, any such deviation is implausible
     const auto probability = [&](double difference) {
         const double excess = difference - sharpness.bias * scale;
         if (excess <= 0) {
@@ -135,8 +135,8 @@ Verdict FalseAlarms::counts(std::span<const std::uint32_t> observed, std::span<c
             pooled += expected;
         }
     }
-    // A pool that expects fewer than 5 too is only asked not to be crowded: P(Poisson(m) >= k) is the other side of chi
-    // square's tail at 2 m with 2 k degrees of freedom
+    // A pool that also expects fewer than 5 is only tested for an excess: P(Poisson(m) >= k) is the complement of the
+    // chi-square tail at 2 m with 2 k degrees of freedom
     double crowded = 1;
     if (pooled >= kFewest) {
         add(pooledCount, pooled);

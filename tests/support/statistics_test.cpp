@@ -47,7 +47,7 @@ TEST_CASE("the tails of distributions are their closed forms") {
     CHECK(std::abs(chiSquareTail(x, 301) - normalTail(z) / 2) < 1e-4);
 }
 
-TEST_CASE("tests at Sidak's level raise a false alarm together as rarely as one") {
+TEST_CASE("several tests at Sidak's level together raise a false alarm as rarely as one") {
     CHECK(std::abs(1 - std::pow(1 - sidak(0.05, 20), 20) - 0.05) < 1e-14);
     CHECK(std::abs(sidak(1e-12, 1000) - 1e-15) < 1e-26);
     FalseAlarms alarms(3);
@@ -71,7 +71,7 @@ TEST_CASE("a mean that is off by ten standard errors is refused, a right one is 
     CHECK_THROWS_AS(alarms.mean(sixteen(engine, 100), 100, {.sees = 0.05}), std::logic_error);
 }
 
-TEST_CASE("without noise a mean is as near as the bias allows, or refused") {
+TEST_CASE("without noise a mean must be within the bias, or is rejected") {
     FalseAlarms alarms(2);
     const std::array<double, 3> samples{1, 1, 1};
     CHECK(alarms.mean(samples, 1 + 1e-7, {.bias = 1e-6, .sees = 1e-5}));
@@ -117,7 +117,7 @@ TEST_CASE("counts of a fair die are plausible, of a loaded one not") {
     CHECK_FALSE(alarms.counts(std::array<std::uint32_t, 3>{30000, 30000, 30}, std::array{0.5 - 1e-5, 0.5, 1e-5}));
     // One draw where none can be
     CHECK_FALSE(alarms.counts(std::array<std::uint32_t, 3>{5000, 5000, 1}, std::array{0.5, 0.5, 0.0}));
-    // Counts that know but one cell prove nothing
+    // Counts with only one cell prove nothing
     CHECK_FALSE(alarms.counts(std::array<std::uint32_t, 1>{100}, std::array{1.0}));
 }
 

@@ -1,4 +1,4 @@
-// How many rays a test throws where more of them only find rarer faults.
+// Number of rays of a test where more rays only find rarer faults.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What kernels do with paths at surfaces is compared alike, for camera paths and photons.
+// Common comparison of what kernels do with paths at surfaces, for camera paths and photons.
 #pragma once
 
 #include "parity/check.h"
@@ -8,8 +8,8 @@
 
 namespace hyalite::parity {
 
-// Compares what a kernel made of path i at its hit. `Kernel` has the dispatch (stage, args, rays, hits) and both sides'
-// answers; `own` names what else the path brought there.
+// Compares the kernel's result for path i at its hit. `Kernel` holds the dispatch (stage, args, rays, hits) and both
+// sides' answers; `own` lists the other inputs of the path.
 template <class Kernel>
 void compareAtHit(const Kernel& kernel, std::size_t i, const Comparison::Inputs& own) {
     const Sides& sides = kernel.stage.sides;

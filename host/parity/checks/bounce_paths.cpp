@@ -1,4 +1,4 @@
-// Where camera paths go on from diffuse surfaces.
+// Diffuse bounces of camera paths.
 #include "parity/checks/checks.h"
 
 #include "parity/checks/visible_points.h"
@@ -14,7 +14,7 @@ namespace {
 using glm::dvec3;
 
 struct BounceFields : FieldSet<9> {
-    const Field& goesOn = exact("goes on", kCoin);
+    const Field& goesOn = exact("goes on", kDecision);
     const Field& seed = exact("seed");
     const Field& pixel = exact("pixel");
     const Field& medium = exact("medium");

@@ -1,4 +1,4 @@
-// A path as it starts at the camera: of generate_camera_rays, and of kernels that do more than that.
+// The start of a camera path: for generate_camera_rays, and for kernels that include it.
 #pragma once
 
 #include "parity/check.h"

@@ -1,4 +1,4 @@
-// Photons that go straight on through everything, and tell what lies in the shadow.
+// Photons that pass straight through all surfaces and store shadow photons.
 #include "parity/checks/checks.h"
 
 #include "parity/checks/stored_photon.h"

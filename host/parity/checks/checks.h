@@ -1,4 +1,4 @@
-// The list of all checks. A new kernel adds its file to this folder, and its name here and in checks.cpp.
+// The list of all checks. For a new kernel, add a file to this folder, and its name here and in checks.cpp.
 #pragma once
 
 #include "parity/check.h"
@@ -57,7 +57,7 @@ extern const Check kEstimateError;
 
 [[nodiscard]] std::span<const Check* const> allChecks();
 
-// nullptr: there is none.
+// nullptr: the kernel has no check.
 [[nodiscard]] const Check* checkOf(std::string_view kernel);
 
 } // namespace hyalite::parity

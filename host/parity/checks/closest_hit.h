@@ -1,4 +1,4 @@
-// What a ray hits first: of trace_closest, and of kernels that do more than that.
+// The closest hit of a ray: for trace_closest, and for kernels that include it.
 #pragma once
 
 #include "parity/check.h"

@@ -1,4 +1,4 @@
-// Queues without gaps: copies.
+// Queue compaction: copies.
 #include "parity/checks/checks.h"
 
 #include "shaders/shared/kernel_arguments.h"

@@ -1,4 +1,4 @@
-// Photon paths as they start at lights.
+// The start of photon paths at lights.
 #include "parity/checks/checks.h"
 
 #include "parity/path_recorder.h"
@@ -14,7 +14,7 @@ namespace {
 using glm::dvec3;
 
 struct EmissionFields : FieldSet<8> {
-    const Field& light = exact("light", kCoin);
+    const Field& light = exact("light", kDecision);
     const Field& photon = exact("photon");
     const Field& kind = exact("kind");
     const Field& medium = exact("medium");

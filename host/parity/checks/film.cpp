@@ -1,4 +1,4 @@
-// What becomes of light on the way to the picture.
+// Accumulation of radiance into the picture.
 #include "parity/checks/checks.h"
 
 #include "shaders/shared/kernel_arguments.h"
@@ -71,7 +71,7 @@ void compareAddGatheredLight(const Stage& stage) {
     }
 }
 
-// What the film adds of a colour: whole steps of 2^-44, rounded half up.
+// A colour as the film adds it: in whole steps of 2^-44, rounded half up.
 dvec3 inSteps(const dvec3& color) {
     return glm::floor(color * 0x1p44 + 0.5) * 0x1p-44;
 }
@@ -98,7 +98,7 @@ void compareResolveFilm(const Stage& stage) {
     }
 }
 
-// Of each pixel, then of the sums over them.
+// Compares the error of each pixel, then the sums over pixels.
 void compareEstimateError(const Stage& stage) {
     const auto args = stage.seen.arguments<shared::EstimateErrorArguments>();
     const std::size_t layers = std::size_t{args.layers} * args.count;
@@ -110,7 +110,7 @@ void compareEstimateError(const Stage& stage) {
     const auto n = double{args.firstPasses};
     const auto m = double{args.secondPasses};
     std::vector<double> expected(chunks, 0);
-    // A mean's roundings change its error e by as much, and e^2 by 2 e times as much
+    // Rounding of a mean changes its error e by the same amount, and e^2 by 2 e times that amount
     std::vector<double> scales(chunks, 0);
     for (std::size_t i = 0; i < args.count; ++i) {
         dvec3 a(0);
@@ -122,7 +122,7 @@ void compareEstimateError(const Stage& stage) {
             }
         }
         const dvec3 mean = (a + b) / (n + m);
-        // Both means scatter about that of all, each weighted with its share of the passes
+        // Scatter of both sequences' means about the overall mean, each weighted by its share of the passes
         const dvec3 variance =
             n / (n + m) * (a / n - mean) * (a / n - mean) + m / (n + m) * (b / m - mean) * (b / m - mean);
         const dvec3 relative = variance / (mean * mean + 0.01);

@@ -1,4 +1,4 @@
-// Camera paths as they start.
+// The start of camera paths.
 #include "parity/checks/checks.h"
 
 #include "parity/checks/camera_ray.h"

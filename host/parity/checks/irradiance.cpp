@@ -1,4 +1,4 @@
-// Irradiance at a fourth of the photons, and its look-up [Christensen99].
+// Irradiance at every fourth photon, and its lookup [Christensen99].
 #include "parity/checks/checks.h"
 
 #include "parity/checks/photon_map_of.h"
@@ -29,7 +29,7 @@ struct RecordFields : FieldSet<2> {
 constexpr RecordFields kRecords;
 
 struct LookUpFields : FieldSet<1> {
-    const Field& gathered = vector("gathered", kSum, Scale::Value, "two records equally near");
+    const Field& gathered = vector("gathered", kSum, Scale::Value, "two records at equal distance");
 };
 constexpr LookUpFields kLookUp;
 
@@ -70,7 +70,7 @@ void compareStoreIrradiance(const Stage& stage) {
         if ((expected.direction & shared::kMarkedPhoton) == 0) {
             expected.surface = shared::kNone;
         }
-        const bool isNone = expected.surface == shared::kNone; // of which nothing else counts
+        const bool isNone = expected.surface == shared::kNone; // then no other field counts
         Answer device;
         device.exact(kRecords.surface, records[i].surface);
         device.exact(kRecords.record, isNone || sameBits(records[i], expected) ? 1 : 0);

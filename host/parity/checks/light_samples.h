@@ -1,4 +1,4 @@
-// Samples of lights, and whether their light arrives.
+// Light samples and their visibility.
 #pragma once
 
 #include "parity/sides.h"
@@ -11,12 +11,12 @@
 
 namespace hyalite::parity {
 
-// The light that a kernel asks for; none: chosen at random.
+// The light that a kernel samples; none: picked at random.
 [[nodiscard]] inline std::optional<std::uint32_t> lightOf(std::uint32_t number) {
     return number == shared::kNone ? std::nullopt : std::optional(number);
 }
 
-// Does nothing block the way of the sample's light? `leaves`: the object that the shadow ray leaves, see shared::Ray.
+// True if the light sample is unoccluded. `leaves`: the object that the shadow ray leaves, see shared::Ray.
 template <class Sample>
 [[nodiscard]] bool isUnoccluded(const Sides& sides, const Sample& sample, std::uint32_t leaves) {
     const glm::dvec3 way = sample.to - sample.from;

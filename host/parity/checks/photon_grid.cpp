@@ -1,5 +1,5 @@
-// The photon grid: counting, listing, ordering and moving photons. What a bucket is follows from one multiplication,
-// which every device rounds alike, so that all of it is exact.
+// The photon grid: counting, listing, sorting and moving photons. A photon's bucket follows from one multiplication,
+// which every device rounds identically, so all results are exact.
 #include "parity/checks/checks.h"
 
 #include "shaders/shared/kernel_arguments.h"
@@ -53,7 +53,7 @@ void compareCountCells(const Stage& stage) {
         if (expected[bucket] == 0 && counts[bucket] == 0) {
             continue;
         }
-        // In whatever order they came, the ranks count on from what was there
+        // Threads run in any order, but together their ranks continue from the previous count
         std::ranges::sort(ranksOf[bucket]);
         bool areDistinct = true;
         for (std::size_t k = 0; k < ranksOf[bucket].size(); ++k) {
@@ -95,7 +95,7 @@ void compareOrderCells(const Stage& stage) {
     const auto order = stage.seen.after<shared::uint>(args.order, starts[args.count]);
     std::vector<std::uint32_t> expected(before.begin(), before.end());
     for (std::size_t bucket = 0; bucket < args.count; ++bucket) {
-        // Starts that a fault has put in disorder are those of empty buckets
+        // Treat buckets whose starts are out of order (a fault) as empty
         const std::size_t end = std::min<std::size_t>(starts[bucket + 1], expected.size());
         const std::size_t begin = std::min<std::size_t>(starts[bucket], end);
         std::ranges::sort(std::span(expected).subspan(begin, end - begin));

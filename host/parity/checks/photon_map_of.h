@@ -1,4 +1,4 @@
-// The photons and the visible points of kernels that look photons up, as the reference keeps them.
+// Photons and visible points of the kernels that look up photons, in the reference's form.
 #pragma once
 
 #include "parity/check.h"
@@ -11,7 +11,7 @@
 
 namespace hyalite::parity {
 
-// The photons of the table, as the reference keeps them.
+// The photons of the table, in the reference's form.
 [[nodiscard]] inline reference::PhotonMap mapOf(const Stage& stage, std::size_t first, std::size_t count) {
     std::vector<reference::Photon> photons;
     for (const shared::Photon& photon : stage.seen.table<shared::Photon>(TABLE_PHOTONS, first, count)) {

@@ -1,4 +1,4 @@
-// Building the kd-tree of photons [Jensen01], list by list and level by level: integers, and floats that are compared.
+// Building the kd-tree of photons [Jensen01], list by list and level by level: only integers and comparisons of floats.
 #include "parity/checks/checks.h"
 
 #include "shaders/shared/kd_tree.h"
@@ -68,7 +68,7 @@ bool isLess(const KeyedPhoton& a, const KeyedPhoton& b, int axis) {
     return std::pair(a.key[axis], a.photon) < std::pair(b.key[axis], b.photon);
 }
 
-// The photons of three lists, one along each axis, `stored` long.
+// Three lists of `stored` photons, one sorted along each axis.
 class Lists {
 public:
     Lists(std::span<const KeyedPhoton> photons, std::size_t stored)
@@ -82,7 +82,7 @@ public:
         KeyedPhoton middle{};
         [[nodiscard]] uint word() const { return middle.photon | static_cast<uint>(axis) << shared::kSplitAxisShift; }
     };
-    // Along the longest edge of the box about the node's photons, the first of equal ones.
+    // Splits along the longest edge of the bounding box of the node's photons, the first of equal ones.
     [[nodiscard]] Split split(const KdRange& range) {
         Split chosen;
         float longest = -1;
@@ -97,7 +97,7 @@ public:
         chosen.middle = list(chosen.axis, range)[shared::kdLeftCount(range.count)];
         return chosen;
     }
-    // Left child, place of the middle (left alone), right child, each in the order it had.
+    // Partitions into left child, median (unchanged) and right child, each in stable order.
     void part(const KdRange& range, const Split& split) {
         for (int axis = 0; axis < 3; ++axis) {
             const auto photons = list(axis, range);

@@ -1,4 +1,4 @@
-// Prefix sums: integers.
+// Prefix sums of integers.
 #include "parity/checks/checks.h"
 
 #include "shaders/shared/kernel_arguments.h"
@@ -20,7 +20,7 @@ struct QueueFields : FieldSet<1> {
 };
 constexpr QueueFields kQueue;
 
-// Exclusive sums, the total last; they begin anew with what precedes each chunk, where that is given.
+// Exclusive prefix sums, with the total last. Where the sum preceding each chunk is given, each chunk starts from it.
 void compareSums(const Stage& stage, std::span<const shared::uint> values, std::span<const shared::uint> sums,
                  std::span<const shared::uint> chunkOffsets) {
     std::uint32_t sum = 0;

@@ -1,4 +1,4 @@
-// Radiance that photons nearby tell of.
+// Radiance estimates from nearby photons.
 #include "parity/checks/checks.h"
 
 #include "parity/checks/photon_map_of.h"

@@ -1,4 +1,4 @@
-// Light that comes straight to visible points.
+// Direct light at visible points.
 #include "parity/checks/checks.h"
 
 #include "parity/checks/light_samples.h"
@@ -25,7 +25,7 @@ struct LightFields : FieldSet<5> {
 };
 constexpr LightFields kLight;
 
-// Shadow rays to lights beyond the scene have no end worth comparing.
+// Shadow rays to lights outside the scene have no meaningful end to compare.
 constexpr double kFar = 1e20;
 
 Answer answerOf(const std::optional<reference::LightSample>& sample) {
@@ -74,11 +74,11 @@ void compareSampleLights(const Stage& stage) {
                 auto sample =
                     reference::sampleLight(stage.sides.world(), x, args.pass, lightOf(args.light), nudge.shift());
                 if (sample && args.bounceDepth != 0 &&
-                    sample->pdfW > 0) { // a ray by the cosine may meet the same place
+                    sample->pdfW > 0) { // a cosine-weighted ray may hit the same place
                     sample->contribution *= reference::powerHeuristic(sample->pdfW, sample->cosine / std::numbers::pi);
                 }
                 if (sample && largestComponent(sample->contribution) < double{std::numeric_limits<float>::min()}) {
-                    sample.reset(); // black material, or less than a float holds
+                    sample.reset(); // black material, or float underflow
                 }
                 return answerOf(sample);
             },

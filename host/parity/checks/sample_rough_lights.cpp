@@ -1,4 +1,4 @@
-// Light that comes straight to rough surfaces.
+// Direct light at rough surfaces.
 #include "parity/checks/checks.h"
 
 #include "parity/checks/light_samples.h"
@@ -17,7 +17,7 @@ struct RoughLightFields : FieldSet<2> {
 };
 constexpr RoughLightFields kRoughLight;
 
-// Light below this share of what a lobe of 1/sr would send is none.
+// Light below this fraction of what a lobe of 1/sr would reflect counts as none.
 constexpr double kNothing = 0x1p-16;
 
 void compareSampleRoughLights(const Stage& stage) {
@@ -32,7 +32,7 @@ void compareSampleRoughLights(const Stage& stage) {
         if (point.depth == 0) {
             continue;
         }
-        // Where a lobe sends next to nothing, what is left is a difference of numbers close to 1
+        // Where a lobe reflects almost nothing, its value is a difference of numbers close to 1
         const auto arrival = reference::sampleArrival(
             sides.world(), dvec3(point.position),
             {.depth = point.depth, .samplerSeed = point.samplerSeed, .pass = args.pass, .light = lightOf(args.light)});

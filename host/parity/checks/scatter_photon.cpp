@@ -1,4 +1,4 @@
-// What becomes of photons at surfaces.
+// Photons at surfaces.
 #include "parity/checks/checks.h"
 
 #include "parity/checks/at_hit.h"
@@ -15,14 +15,14 @@ namespace {
 using glm::dvec3;
 
 struct ScatterFields : FieldSet<20> {
-    const Field& stored = exact("stored", kCoin);
+    const Field& stored = exact("stored", kDecision);
     const Field& kind = exact("kind");
     const Field& length = exact("length");
     const Field& marked = exact("marked");
-    const Field& goesOn = exact("goes on", kCoin);
-    const Field& through = exact("through", kCoin);
+    const Field& goesOn = exact("goes on", kDecision);
+    const Field& through = exact("through", kDecision);
     const Field& movedOff = exact("moved off", kGrazing);
-    const Field& nextKind = exact("next kind", kCoin);
+    const Field& nextKind = exact("next kind", kDecision);
     const Field& nextPhoton = exact("next photon");
     const Field& nextLight = exact("next light");
     const Field& nextMedium = exact("next medium");
@@ -51,7 +51,7 @@ struct ScatterStage {
     std::span<const shared::uint> alive;
 
     explicit ScatterStage(const Stage& s) : stage(s), args(s.seen.arguments<shared::ScatterPhotonArguments>()) {
-        const std::size_t all = Observed::kWhole; // fates stand at the photons' numbers
+        const std::size_t all = Observed::kWhole; // fates are indexed by photon number
         pass = {.sequence = args.sequence, .count = args.count, .kinds = args.kinds};
         rays = s.seen.before<shared::Ray>(args.rays, args.count);
         hits = s.seen.before<shared::Hit>(args.hits, args.count);
@@ -64,7 +64,7 @@ struct ScatterStage {
         alive = s.seen.after<shared::uint>(args.alive, args.count);
     }
 
-    // Stored, absorbed, escaped and cut off so far.
+    // Sum of the flux stored, absorbed, escaped and cut off so far.
     [[nodiscard]] static dvec3 sum(const shared::PhotonFate& fate) {
         return dvec3(fate.stored) + dvec3(fate.absorbed) + dvec3(fate.escaped) + dvec3(fate.cutOff);
     }
@@ -85,7 +85,7 @@ struct ScatterStage {
         answer.exact(kScatter.nextMedium, stage.sides.numberOf(path.medium));
         answer.vector(kScatter.nextOrigin, ray->origin);
         answer.vector(kScatter.nextDirection, ray->direction);
-        answer.vector(kScatter.nextPower, path.power, arriving); // a lobe may pass on a small share
+        answer.vector(kScatter.nextPower, path.power, arriving); // a lobe may pass on only a small share
     }
 
     [[nodiscard]] Answer deviceAnswer(std::size_t i, const reference::Surface* surface, bool isCsg) const {
@@ -135,7 +135,7 @@ struct ScatterStage {
             answer.exact(kScatter.stored, 0);
         }
         if (args.account != 0) {
-            answer.vector(kScatter.account, path.power); // nothing is lost
+            answer.vector(kScatter.account, path.power); // no flux is lost
         }
         return answer;
     }

@@ -1,4 +1,4 @@
-// What becomes of camera paths at surfaces, where they take one way on.
+// Camera paths at surfaces, for integrators that follow a single next ray.
 #include "parity/checks/checks.h"
 
 #include "parity/checks/shading.h"
@@ -25,7 +25,7 @@ void noteShading(PathRecorder& recorder, const Observed& dispatch) {
     const auto alive = dispatch.after<shared::uint>(args.alive, args.count);
     for (std::size_t i = 0; i < args.count; ++i) {
         const std::uint32_t pixel = paths[i].pixel;
-        // What follows a visible point is another integrator's matter
+        // How a path continues after a visible point depends on the integrator
         if (!recorder.hasEnded({false, args.pass, pixel})) {
             recorder.addShading({rays[i], hits[i], paths[i], visible[pixel], nextRays.subspan(i, alive[i])}, args.depth,
                                 args.pass);

@@ -10,13 +10,13 @@ namespace {
 
 using glm::dvec3;
 
-// A shading on either side, slot by slot of the next rays.
+// The shading result of either side, one slot per next ray.
 struct Slots {
     std::array<bool, 2> alive{};
     std::array<reference::Ray, 2> rays;
     std::array<reference::CameraPath, 2> paths;
     double arriving =
-        0; // throughput that came here: what a lobe makes of it may be a small share, and is right to that
+        0; // throughput on arrival: a lobe may pass on a small share of it, accurate relative to what arrived
 };
 
 struct NextFields {
@@ -29,7 +29,7 @@ constexpr NextFields kSecond{kShading.next2,          kShading.next2Through, kSh
                              kShading.next2Seed,      kShading.next2Medium,  kShading.next2Origin,
                              kShading.next2Direction, kShading.next2Beta,    kShading.next2PdfW};
 
-// `surface`: where the ray leaves, in double precision. A ray must start on the side that it goes to.
+// `surface`: where the ray starts, in double precision. A ray must start on the side into which it points.
 void addNext(Answer& answer, const NextFields& fields, const Sides& sides, const Slots& slots, std::size_t slot,
              const reference::Surface& surface, bool isCsg) {
     answer.exact(fields.alive, slots.alive[slot] ? 1 : 0);
@@ -50,7 +50,7 @@ void addNext(Answer& answer, const NextFields& fields, const Sides& sides, const
     answer.number(fields.pdfW, path.pdfW);
 }
 
-// `position`: on the surface. `isOff`: it stands on the side that the path came from.
+// `position`: on the surface. `isOff`: the device's point is on the side that the path came from.
 void addVisible(Answer& answer, const reference::VisiblePoint& x, const dvec3& position, bool isOff) {
     answer.exact(kShading.visibleMovedOff, isOff ? 1 : 0);
     answer.exact(kShading.visibleDepth, x.depth);
@@ -77,7 +77,7 @@ void addRough(Answer& answer, const reference::RoughPoint& x) {
 
 Answer AtSurface::deviceAnswer(std::size_t i, const reference::Surface* surface, bool isCsg) const {
     const std::size_t result = resultOf(i);
-    // Not of an earlier surface, nor where nothing is reflected
+    // Ignores points of an earlier surface and points that reflect nothing
     const bool isVisible = visible[result].depth == args.depth && stage.sides.reflects(visible[result]);
     const bool isRough = hasRough(i) && rough[i].depth != 0;
     Answer answer;
@@ -128,7 +128,7 @@ Answer AtSurface::twinAnswer(std::size_t i, std::optional<reference::Hit> hit, N
     } else {
         shading = reference::shadeMiss(sides.world(), ray, path);
     }
-    std::size_t slot = 0; // the first that is followed has the first
+    std::size_t slot = 0; // the first ray followed uses the first slot
     for (const std::optional<reference::NextRay>& next : shading.next) {
         if (next) {
             slots.alive.at(slot) = true;

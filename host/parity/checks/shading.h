@@ -1,5 +1,4 @@
-// What becomes of a camera path at its hit: of shade_surface, which follows one way on, and trace_whitted, which
-// follows all.
+// A camera path at its hit: for shade_surface, which follows one next ray, and trace_whitted, which follows all.
 #pragma once
 
 #include "parity/check.h"
@@ -14,15 +13,15 @@
 namespace hyalite::parity {
 
 struct ShadingFields : FieldSet<37> {
-    const Field& visible = exact("visible", kCoin);
-    const Field& rough = exact("rough", kCoin);
-    const Field& next1 = exact("next 1", kCoin);
-    const Field& next2 = exact("next 2", kCoin);
-    const Field& next1Through = exact("next 1 through", kCoin);
+    const Field& visible = exact("visible", kDecision);
+    const Field& rough = exact("rough", kDecision);
+    const Field& next1 = exact("next 1", kDecision);
+    const Field& next2 = exact("next 2", kDecision);
+    const Field& next1Through = exact("next 1 through", kDecision);
     const Field& next1MovedOff = exact("next 1 moved off", kGrazing);
     const Field& next1Seed = exact("next 1 seed");
     const Field& next1Medium = exact("next 1 medium");
-    const Field& next2Through = exact("next 2 through", kCoin);
+    const Field& next2Through = exact("next 2 through", kDecision);
     const Field& next2MovedOff = exact("next 2 moved off", kGrazing);
     const Field& next2Seed = exact("next 2 seed");
     const Field& next2Medium = exact("next 2 medium");
@@ -54,13 +53,13 @@ struct ShadingFields : FieldSet<37> {
 };
 inline constexpr ShadingFields kShading;
 
-// Camera paths at their hits, in a dispatch of either kernel.
+// Camera paths at their hits, for dispatches of both kernels.
 struct AtSurface {
     const Stage& stage;
     struct {
         std::uint32_t count, depth, pass;
     } args;
-    bool isTree; // it takes all ways, and what it finds stands at the path's number; else at its pixel
+    bool isTree; // follows all next rays, and results are indexed by path; else indexed by pixel
     std::span<const shared::Ray> rays;
     std::span<const shared::Hit> hits;
     std::span<const shared::CameraPath> paths;
@@ -101,9 +100,9 @@ struct AtSurface {
     [[nodiscard]] std::size_t resultOf(std::size_t i) const { return isTree ? i : paths[i].pixel; }
     [[nodiscard]] bool hasRough(std::size_t i) const { return i < rough.size() && rough.size() == args.count; }
 
-    // What the device made of path i; `surface`: the twin's, nullptr where the ray hits nothing.
+    // The device's result for path i; `surface`: the twin's, nullptr if the ray hits nothing.
     [[nodiscard]] Answer deviceAnswer(std::size_t i, const reference::Surface* surface, bool isCsg) const;
-    // What the twin makes of it at this hit.
+    // The twin's result for path i at this hit.
     [[nodiscard]] Answer twinAnswer(std::size_t i, std::optional<reference::Hit> hit, Nudge nudge) const;
 
     void compare(std::size_t i) const;

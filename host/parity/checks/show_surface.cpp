@@ -1,4 +1,4 @@
-// Normals or distances in place of light.
+// Normals or distances in place of radiance.
 #include "parity/checks/checks.h"
 
 #include "shaders/shared/kernel_arguments.h"

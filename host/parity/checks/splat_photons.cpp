@@ -1,4 +1,4 @@
-// Photons as points of the picture.
+// Photons drawn as points in the picture.
 #include "parity/checks/checks.h"
 
 #include "shaders/shared/kernel_arguments.h"
@@ -21,7 +21,7 @@ constexpr SplatFields kSplats;
 
 constexpr std::size_t kHidden = SIZE_MAX;
 
-// The counter that a photon counts in; kHidden: none, the camera does not see it.
+// Index of the counter that a photon increments; kHidden: none, the camera does not see the photon.
 std::size_t counterOf(const Sides& sides, const shared::Photon& photon, Nudge nudge) {
     const reference::CameraFrame& camera = sides.world().camera;
     const dvec3 position = nudge.point(dvec3(photon.position), sides.scale());
@@ -37,7 +37,7 @@ std::size_t counterOf(const Sides& sides, const shared::Photon& photon, Nudge nu
     if (column < 0 || row < 0 || column >= camera.width || row >= camera.height) {
         return kHidden;
     }
-    // What is nearer than 99.9 % of the way hides it; its own surface does not
+    // A surface within the first 99.9 % of the distance occludes it; its own surface does not
     const double distance = glm::length(way);
     if (reference::traceClosest(sides.world(),
                                 {.origin = camera.position, .direction = way / distance, .tMax = 0.999 * distance})) {
@@ -55,7 +55,7 @@ void compareSplatPhotons(const Stage& stage) {
     const auto after = stage.seen.after<shared::uint>(args.counts, counters);
     constexpr std::uint32_t kTries = 8;
     std::vector<std::uint32_t> expected(counters, 0);
-    std::vector<std::uint32_t> perhaps(counters, 0); // photons that count here or elsewhere, by a rounding
+    std::vector<std::uint32_t> perhaps(counters, 0); // photons that count here or elsewhere, depending on rounding
     for (const shared::Photon& photon : photons) {
         if (photon.surface == shared::kNone) {
             continue;

@@ -1,4 +1,4 @@
-// Final gathering: the rays that leave visible points.
+// Final gathering: the rays that start at visible points.
 #include "parity/checks/checks.h"
 
 #include "parity/path_recorder.h"

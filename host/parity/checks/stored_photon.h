@@ -1,4 +1,4 @@
-// A photon that a kernel stores, as an answer.
+// Adds a photon stored by a kernel to an answer.
 #pragma once
 
 #include "parity/answer.h"

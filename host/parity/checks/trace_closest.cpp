@@ -1,4 +1,4 @@
-// The nearest hit of a ray.
+// The closest hit of a ray.
 #include "parity/checks/checks.h"
 
 #include "parity/checks/closest_hit.h"
@@ -22,7 +22,7 @@ Answer answerOf(const Sides& sides, const reference::Ray& ray, const std::option
     answer.exact(kClosestHit.primitive, hit->primitive);
     answer.number(kClosestHit.t, hit->t);
     answer.vector(kClosestHit.place,
-                  reference::evaluateSurface(sides.world(), ray, *hit).position); // by the hit's coordinates
+                  reference::evaluateSurface(sides.world(), ray, *hit).position); // from the hit's coordinates
     return answer;
 }
 

@@ -1,4 +1,4 @@
-// Shadow rays: light that nothing blocks is added.
+// Shadow rays: adds unoccluded light.
 #include "parity/checks/checks.h"
 
 #include "shaders/shared/kernel_arguments.h"
@@ -43,7 +43,7 @@ void compareTraceShadow(const Stage& stage) {
                     isSeen = !sides.trace(twin, ray.from);
                 }
                 Answer answer;
-                // What adds less than a rounding leaves no trace
+                // A contribution below half an ulp of the sum leaves no trace
                 answer.exact(kShadow.added, isSeen && before + contributions[i] != before ? 1 : 0);
                 answer.vector(kShadow.direct, dvec3(before) + (isSeen ? dvec3(contributions[i]) : dvec3(0)));
                 return answer;

@@ -1,4 +1,4 @@
-// A level of Whitted's trees of rays: where they hit, what becomes of them there, and light straight from the lights.
+// One level of Whitted's ray trees: hits, shading, and direct light.
 #include "parity/checks/checks.h"
 
 #include "parity/checks/camera_ray.h"
@@ -25,7 +25,7 @@ struct TreeFields : FieldSet<4> {
 };
 constexpr TreeFields kTree;
 
-// What comes straight from the lamps to the visible point of path i, on top of what is emitted there.
+// Direct light at the visible point of path i, added to the emission there.
 void compareLight(const AtSurface& at, const shared::TraceWhittedArguments& args, std::span<const glm::vec3> light,
                   std::size_t i) {
     const Sides& sides = at.stage.sides;
@@ -54,7 +54,7 @@ void compareLight(const AtSurface& at, const shared::TraceWhittedArguments& args
                     }
                 }
             }
-            // What adds less than a rounding leaves no trace
+            // A contribution below half an ulp of the sum leaves no trace
             return answerOf(dvec3(emitted) + direct, emitted + glm::vec3(direct) != emitted);
         },
         [&] { return visibleInputs(point); });

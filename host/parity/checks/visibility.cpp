@@ -1,4 +1,4 @@
-// Shadow rays that shadow photons nearby replace [JensenChristensen95].
+// Shadow rays replaced by nearby shadow photons [JensenChristensen95].
 #include "parity/checks/checks.h"
 
 #include "parity/checks/photon_map_of.h"

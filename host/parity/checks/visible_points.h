@@ -1,4 +1,4 @@
-// Visible points as inputs of kernels.
+// Visible points as kernel inputs.
 #pragma once
 
 #include "parity/comparison.h"
@@ -9,7 +9,7 @@
 
 namespace hyalite::parity {
 
-// What a report says of the point that an element was computed from.
+// Description, for a report, of the point that an element was computed from.
 [[nodiscard]] inline OffenderInputs visibleInputs(const shared::VisiblePoint& x) {
     return {{"position", describe(glm::dvec3(x.position))},
             {"normal", describe(glm::dvec3(x.normal))},

@@ -40,26 +40,27 @@ glm::dvec3 fromFrame(const glm::dvec3& v, const glm::dvec3& normal) {
     return v.x * basis.tangent + v.y * basis.bitangent + v.z * normal;
 }
 
-// Is wi on the side that `through` says, of both normals?
+// True if wi lies on the side given by `through` with respect to both normals.
 bool isOnSide(const ShadingNormals& normals, const glm::dvec3& wi, bool through) {
     const double side = through ? -1 : 1;
     return side * glm::dot(wi, normals.normal) > 0 && side * glm::dot(wi, normals.geometricNormal) >= 0;
 }
 
-// Reflection at microfacets: [Walter07] (20) with the jacobian (14); i and o masked by the same heights [Heitz14].
+// Reflection at microfacets: [Walter07] (20) with the Jacobian (14), and height-correlated masking of i and o
+// [Heitz14].
 BsdfValue evaluateReflection(const Lobe& lobe, const glm::dvec3& o, const glm::dvec3& i) {
     const glm::dvec3 m = glm::normalize(o + i);
     const double cosMicro = glm::dot(o, m);
     const glm::dvec3 F = facetReflectance(lobe, cosMicro) * (overLobe(lobe, o.z) * overLobe(lobe, i.z));
-    const double taken = lobe.transmits ? F.x : 1.0; // where a path may be refracted instead
+    const double taken = lobe.transmits ? F.x : 1.0; // the path may be refracted instead
     const double G = 1 / (1 + smithLambda(o, lobe.alpha) + smithLambda(i, lobe.alpha));
     return {.f = F * (ggxDistribution(m, lobe.alpha) * G / (4 * o.z * i.z)),
             .pdfW = taken * visibleNormalDensity(o, m, lobe.alpha) / (4 * cosMicro),
             .reversePdfW = taken * visibleNormalDensity(i, m, lobe.alpha) / (4 * cosMicro)};
 }
 
-// Refraction: [Walter07] (21) with (16) and (17), both sides of (21) over the squared index of wi's side; masked
-// separately on the two sides.
+// Refraction: [Walter07] (21) with (16) and (17); both sides of (21) are divided by the squared index of wi's side. The
+// two sides are masked independently.
 BsdfValue evaluateRefraction(const Lobe& lobe, const glm::dvec3& o, const glm::dvec3& i, Transport transport) {
     glm::dvec3 m = glm::normalize(lobe.eta * o + i);
     if (m.z < 0) {
@@ -73,7 +74,7 @@ BsdfValue evaluateRefraction(const Lobe& lobe, const glm::dvec3& o, const glm::d
     const double transmitted = 1 - fresnelDielectric(std::min(cosOut, 1.0), lobe.eta);
     const double jacobian = std::abs(cosIn) / std::pow(lobe.eta * cosOut + cosIn, 2);
     const double reverseJacobian =
-        cosOut / std::pow(cosIn / lobe.eta + cosOut, 2); // of wo among what wi is refracted to
+        cosOut / std::pow(cosIn / lobe.eta + cosOut, 2); // density of wo among the directions that wi is refracted to
     const double D = ggxDistribution(m, lobe.alpha);
     const double G = smithG1(o, lobe.alpha) * smithG1(i, lobe.alpha);
     const double scale = transport == Transport::Radiance ? lobe.eta * lobe.eta : 1;
@@ -82,12 +83,12 @@ BsdfValue evaluateRefraction(const Lobe& lobe, const glm::dvec3& o, const glm::d
             .reversePdfW = transmitted * visibleNormalDensity(-i, m, lobe.alpha) * reverseJacobian};
 }
 
-// Share of the light that the lobe reflects, the mean of the channels.
+// Share of the light that the lobe reflects, averaged over the channels.
 double shareOf(const Lobe& lobe, double cosOut) {
     return mean(facetReflectance(lobe, cosOut)) * overLobe(lobe, cosOut);
 }
 
-// With which probability a path takes the coat where it takes a lobe.
+// Probability that a path takes the coat, given that it takes a lobe.
 double coatProbability(const Lobe& lobe, const Lobe& coat, double cosOut) {
     const double ofCoat = shareOf(coat, cosOut);
     return ofCoat > 0 ? ofCoat / (ofCoat + shareOf(lobe, cosOut)) : 0;

@@ -1,5 +1,5 @@
-// What a BSDF model says of itself: one row per model of shaders/shared/materials.h, in a file of its name. The
-// materials have their textures multiplied in; cosines are those to the normal, or to a facet's.
+// Interface of a BSDF model: one row per model of shaders/shared/materials.h, in a file named after it. Textures are
+// already multiplied into the materials; cosines are taken to the normal, or to a facet's normal.
 #pragma once
 
 #include "scene/model/material_model.h"
@@ -11,7 +11,7 @@ namespace hyalite::reference {
 // Reflection or refraction, smooth or at microfacets, seen from one side.
 struct Lobe {
     MaterialModel material;
-    double eta = 1;   // of a lobe that transmits: index of this side over that of the other
+    double eta = 1;   // transmitting lobe: index on this side over index on the other
     double alpha = 0; // of the GGX distribution; 0: smooth
     bool transmits = false;
     bool isCoat = false; // over the material's other lobe
@@ -20,18 +20,17 @@ struct Lobe {
 struct BsdfModel {
     std::uint32_t (*flags)(const MaterialModel& material) = nullptr; // kBsdf…
 
-    // Of a model with a diffuse part, else nullptr: the share of the light reflected, but for what lies over it; what
-    // that lets through at an angle, and the mean of this over the cosine-weighted hemisphere.
+    // For a model with a diffuse part, else nullptr: its albedo without the layer above it, the transmission of that
+    // layer at an angle, and the mean transmission over the cosine-weighted hemisphere.
     glm::dvec3 (*albedo)(const MaterialModel& material) = nullptr;
     double (*overDiffuse)(const MaterialModel& material, double cosine) = nullptr;
     double (*meanOverDiffuse)(const MaterialModel& material) = nullptr;
 
-    // Of a model with a lobe, else nullptr: the lobe, and the share of the light that a facet of it reflects.
+    // For a model with a lobe, else nullptr: the lobe, and the reflectance of its facets.
     Lobe (*lobe)(const MaterialModel& material, bool front) = nullptr;
     glm::dvec3 (*reflectance)(const Lobe& lobe, double cosine) = nullptr;
 
-    // Of a model with a second lobe over all else, else nullptr: that coat, and what it lets through to the lobe at an
-    // angle.
+    // For a model with a coat over the rest, else nullptr: the coat, and its transmission to the lobe at an angle.
     Lobe (*coat)(const MaterialModel& material) = nullptr;
     double (*overLobe)(const MaterialModel& material, double cosine) = nullptr;
 };

@@ -1,7 +1,6 @@
-// A clear coat over metallic-roughness, after glTF's KHR_materials_clearcoat: a dielectric film without colour that
-// covers the share `coat` of the surface. Of the light it reflects coat F, by Fresnel's equations; the rest reaches the
-// base, and of what the base reflects the same share leaves: f = f_coat + T(cosOut) T(cosIn) f_base with T = 1 - coat
-// F.
+// A clear coat over metallic-roughness, after glTF's KHR_materials_clearcoat: a colourless dielectric film that covers
+// the fraction `coat` of the surface. It reflects coat F of the light, by Fresnel's equations, and transmits the rest
+// on entry and exit: f = f_coat + T(cosOut) T(cosIn) f_base with T = 1 - coat F.
 #include "reference/bsdf/bsdf_model.h"
 #include "reference/bsdf/interface.h"
 
@@ -32,7 +31,7 @@ double overDiffuse(const MaterialModel& material, double cosine) {
     return overLobe(material, cosine) * kMetallicRoughnessBsdf.overDiffuse(material, cosine);
 }
 
-// The mean over the squared cosine by the midpoint rule, like the kernels': 2 c dc = d(c^2).
+// Mean over the squared cosine by the midpoint rule, as in the kernels: 2 c dc = d(c^2).
 double meanOverDiffuse(const MaterialModel& material) {
     constexpr int kParts = 32;
     double sum = 0;

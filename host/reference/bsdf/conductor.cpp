@@ -1,4 +1,4 @@
-// Metal of the complex index eta + i k.
+// Metal with the complex index eta + i k.
 #include "reference/bsdf/bsdf_model.h"
 #include "reference/bsdf/fresnel.h"
 

@@ -1,4 +1,4 @@
-// A surface that reflects, smooth or by microfacets, the share that a function of the scene's own gives.
+// A smooth or microfacet surface whose reflectance is a GLSL function given by the scene.
 #include "reference/bsdf/bsdf_model.h"
 #include "reference/bsdf/custom_twins.h"
 

@@ -34,10 +34,10 @@ LoadedTwin loadTwin(const fs::path& file) {
     const auto fail = [&](const std::string& what, const std::string& hint) {
         throw Error(ExitCode::WrongUsage, SourceLocation{.file = file.string()}, what, hint);
     };
-    // Of a bare name dlopen would search the system's folders
+    // dlopen would search the system's folders for a bare file name
     void* const object = ::dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);
     if (object == nullptr) {
-        const char* const reason = ::dlerror(); // NOLINT(concurrency-mt-unsafe): of this thread's call
+        const char* const reason = ::dlerror(); // NOLINT(concurrency-mt-unsafe): it reports this thread's call
         fail(std::string("cannot load the twin: ") + (reason == nullptr ? "unknown reason" : reason),
              "docs/experiments.md says how twins are built");
     }
@@ -58,7 +58,7 @@ LoadedTwin loadTwin(const fs::path& file) {
 
 std::vector<LoadedTwin> loadTwins(std::vector<fs::path> files, const fs::path& folder) {
     std::vector<fs::path> found;
-    std::error_code ignored; // then there are none
+    std::error_code ignored; // on error there are no twins
     for (const auto& entry : fs::directory_iterator(folder, ignored)) {
         if (entry.path().string().ends_with(".twin.so")) {
             found.push_back(entry.path());

@@ -1,5 +1,6 @@
-// Twins in C++ of textures and materials that scenes bring along as GLSL: those that the reference can render, and
-// parity compare. They are loaded from shared objects, and belong to one text of GLSL: what was edited since has none.
+// C++ twins of the GLSL textures and materials that scenes define: with one, the reference can render the code and
+// parity can compare it. Twins are loaded from shared objects. A twin belongs to one exact GLSL text; edited code has
+// no twin.
 #pragma once
 
 #include "base/error.h"
@@ -10,28 +11,28 @@
 
 namespace hyalite::reference {
 
-// Where twins are looked for.
+// Where to look for twins.
 struct TwinSources {
-    std::vector<std::filesystem::path> files; // asked for by name
+    std::vector<std::filesystem::path> files; // named by the user
     std::filesystem::path folder;             // every *.twin.so in it; need not exist
 };
 
-// Gives each code of the scene the twin that was written after its text, if there is one; those of `files` come first.
-// Throws Error(WrongUsage) where a file is no twin.
+// Attaches to each of the scene's GLSL codes the twin written for its text, if there is one; `files` take precedence.
+// Throws Error(WrongUsage) if a file is not a twin.
 void attachTwins(Scene& scene, const TwinSources& sources);
 
-// The twin of a texture's or material's code; nullptr: there is none.
+// Twin of a texture's or material's code; nullptr if there is none.
 [[nodiscard]] TextureTwin customTextureTwin(const CustomCode& code);
 [[nodiscard]] ReflectanceTwin customReflectanceTwin(const CustomCode& code);
 
-// The first of the scene's textures, or materials, that has none; nullptr: all have.
+// The scene's first texture, or material, without a twin; nullptr if all have one.
 [[nodiscard]] const CustomCode* textureWithoutTwin(const Scene& scene);
 [[nodiscard]] const CustomCode* reflectanceWithoutTwin(const Scene& scene);
 
-// The first code of the scene that has no twin; nullptr: all have. A filter never has one.
+// The scene's first GLSL code without a twin; nullptr if all have one. Filters never have one.
 [[nodiscard]] const CustomCode* codeWithoutTwin(const Scene& scene);
 
-// Says that the code has no twin, where it stands, and what to do about it.
+// The error for code without a twin: where the code is, and what to do about it.
 [[nodiscard]] Error noTwin(const CustomCode& code);
 
 } // namespace hyalite::reference

@@ -1,4 +1,4 @@
-// Glass: what Fresnel's equations do not reflect is refracted.
+// Glass: refracts the light that Fresnel's equations do not reflect.
 #include "reference/bsdf/bsdf_model.h"
 #include "reference/bsdf/interface.h"
 
@@ -10,7 +10,7 @@ namespace hyalite::reference {
 
 namespace {
 
-// Media of much the same index refract by nothing, however rough their boundary.
+// Between media of nearly equal index nothing is deflected, however rough the boundary.
 double alphaOf(const MaterialModel& material) {
     return std::abs(material.ior - 1) < double{shared::kSmoothIndex} ? 0 : facetAlpha(material.roughness);
 }

@@ -1,4 +1,4 @@
-// Lambert's surface: reflects its albedo of the light, evenly in all directions.
+// Lambertian surface: reflects its albedo equally in all directions.
 #include "reference/bsdf/bsdf_model.h"
 
 namespace hyalite::reference {

@@ -7,7 +7,7 @@
 namespace hyalite::reference {
 
 double fresnelConductor(double cosIncident, double eta, double k) {
-    // The dielectric's amplitudes with a complex index and so a complex cosine
+    // The dielectric's amplitudes, with a complex index and therefore a complex cosine
     const std::complex<double> n2 = std::pow(std::complex<double>(eta, k), 2);
     const std::complex<double> nCosTransmitted = std::sqrt(n2 - (1 - cosIncident * cosIncident));
     const std::complex<double> perpendicular = (cosIncident - nCosTransmitted) / (cosIncident + nCosTransmitted);

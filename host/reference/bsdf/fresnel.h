@@ -5,11 +5,11 @@
 
 namespace hyalite::reference {
 
-// Fraction of unpolarised light that the boundary from a dielectric to a metal of the index eta + i k relative to it
-// reflects; cosIncident in [0, 1].
+// Fraction of unpolarised light reflected at the boundary from a dielectric to a metal with the relative index eta + i
+// k; cosIncident in [0, 1].
 [[nodiscard]] double fresnelConductor(double cosIncident, double eta, double k);
 
-// 1 - (1 - cos)^5: with F0 at normal incidence Schlick's approximation lets (1 - F0) times this through.
+// 1 - (1 - cos)^5: with reflectance F0 at normal incidence, Schlick's approximation transmits (1 - F0) times this.
 [[nodiscard]] double coatTransmission(double cosine);
 
 } // namespace hyalite::reference

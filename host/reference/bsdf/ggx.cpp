@@ -31,8 +31,8 @@ double visibleNormalDensity(const glm::dvec3& wo, const glm::dvec3& m, double al
 }
 
 glm::dvec3 sampleVisibleNormal(const glm::dvec3& wo, double alpha, glm::dvec2 uv) {
-    // Stretched by 1 / alpha the surface's facets are those of a hemisphere; seen from v, the normals there are halfway
-    // between v and directions that cover the cap z > -v.z of the sphere evenly.
+    // Stretched by 1 / alpha, the facets become those of a hemisphere. Seen from v, its normals lie halfway between v
+    // and directions uniform on the spherical cap z > -v.z.
     const glm::dvec3 v = glm::normalize(glm::dvec3(alpha * wo.x, alpha * wo.y, wo.z));
     const double phi = 2 * pi * uv.x;
     const double z = 1 - uv.y * (1 + v.z);

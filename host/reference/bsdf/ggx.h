@@ -12,14 +12,14 @@ namespace hyalite::reference {
 // Smith's Lambda of a direction on either side of the surface.
 [[nodiscard]] double smithLambda(const glm::dvec3& w, double alpha);
 
-// Share of the facets facing w that w sees.
+// Fraction of the facets facing w that are visible from w.
 [[nodiscard]] double smithG1(const glm::dvec3& w, double alpha);
 
-// Density [1/sr] of the normals that wo sees, as facets weigh by the area they show to wo: max(0, wo . m) D(m) G1(wo) /
-// wo.z. wo.z > 0.
+// Density [1/sr] of the normals visible from wo, with facets weighted by their area projected towards wo: max(0, wo .
+// m) D(m) G1(wo) / wo.z. wo.z > 0.
 [[nodiscard]] double visibleNormalDensity(const glm::dvec3& wo, const glm::dvec3& m, double alpha);
 
-// A normal with that density [Dupuy23].
+// Samples a normal with that density [Dupuy23].
 [[nodiscard]] glm::dvec3 sampleVisibleNormal(const glm::dvec3& wo, double alpha, glm::dvec2 uv);
 
 } // namespace hyalite::reference

@@ -20,7 +20,7 @@ std::optional<glm::dvec3> refract(const glm::dvec3& direction, const glm::dvec3&
     if (sin2Transmitted >= 1) {
         return std::nullopt;
     }
-    // The tangential part shrinks by eta (Snell), the normal part makes the result unit again.
+    // The tangential part is scaled by eta (Snell); the normal part makes the result unit length.
     const double cosTransmitted = std::sqrt(1 - sin2Transmitted);
     return glm::normalize(eta * direction + (eta * cosIncident - cosTransmitted) * normal);
 }

@@ -1,6 +1,6 @@
-// glTF's model: a metal, a diffuse base under a dielectric coat, or a mixture of the two. What enters [Shirley97a]'s
-// coat is 1 - F(cosIn), what leaves it the same of cosOut; 21/20 makes reflected and scattered light add up to all of
-// it where the base is white.
+// glTF's model: a metal, a diffuse base under a dielectric coat, or a mixture of the two. [Shirley97a]'s coat transmits
+// 1 - F(cosIn) on entry and 1 - F(cosOut) on exit; the factor 21/20 makes reflected and scattered light sum to 1 for a
+// white base.
 #include "reference/bsdf/bsdf_model.h"
 #include "reference/bsdf/fresnel.h"
 

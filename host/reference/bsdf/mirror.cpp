@@ -1,4 +1,4 @@
-// A smooth surface that reflects the same share of the light at every angle.
+// A smooth surface with the same reflectance at every angle.
 #include "reference/bsdf/bsdf_model.h"
 
 namespace hyalite::reference {

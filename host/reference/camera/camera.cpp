@@ -1,4 +1,4 @@
-// Camera rays, evenly spread over a pixel by the sampler.
+// Camera rays, distributed uniformly over a pixel by the sampler.
 #include "reference/camera/camera.h"
 
 #include "reference/lib/sampling.h"
@@ -43,7 +43,7 @@ Ray generateCameraRay(const World& world, std::uint32_t pixel, std::uint32_t pas
     if (camera.lensRadius == 0) {
         return {.origin = camera.position, .direction = glm::normalize(through)};
     }
-    // All rays through the lens that the image point stands for meet where the one through its middle is in focus.
+    // All lens rays of an image point meet where its central ray crosses the plane of focus.
     const glm::dvec3 inFocus = camera.position + camera.focusDistance * through;
     const glm::dvec2 disc = concentricDisc(sampleUnitSquare(sampler, shared::kCameraLens));
     const glm::dvec3 origin = camera.position + camera.lensRadius * disc.x * glm::normalize(camera.right) +

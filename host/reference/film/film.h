@@ -1,5 +1,5 @@
-// Sums the passes of a picture, pixel by pixel and in the order of the passes, and tells its error by what the passes
-// of the two camera sequences differ.
+// Sums the passes of a picture per pixel, in pass order, and estimates its error from the difference between the passes
+// of the two camera sequences.
 #pragma once
 
 #include "base/parallel.h"
@@ -28,7 +28,7 @@ public:
     // Adds radiances(pixel), one dvec3 per layer, to every pixel, from all cores at once.
     template <typename Radiances>
     void addPass(const Radiances& radiances) {
-        constexpr std::size_t kBlock = 64; // short enough to even out costly pixels
+        constexpr std::size_t kBlock = 64; // short enough to balance costly pixels
         std::vector<glm::dvec3>& sums = sums_.at(passes_ % shared::kCameraSequences);
         parallelFor(pixelCount(), kBlock, [&](std::size_t begin, std::size_t end) {
             for (std::size_t pixel = begin; pixel < end; ++pixel) {
@@ -41,7 +41,7 @@ public:
         ++passes_;
     }
 
-    // The means of the passes so far, black before the first, and their standard error.
+    // Mean of the passes so far (black before the first) and its standard error.
     [[nodiscard]] LayeredImage mean() const {
         std::vector<Image> images;
         for (std::size_t layer = 0; layer < layers_.size(); ++layer) {
@@ -61,8 +61,8 @@ public:
         return result;
     }
 
-    // Root of the mean over pixels and channels of Var / (mean^2 + 0.01), Var the estimated variance of the mean; none
-    // before the second pass.
+    // Root of the mean over pixels and channels of Var / (mean^2 + 0.01), with Var the estimated variance of the mean;
+    // none before the second pass.
     [[nodiscard]] std::optional<double> error() const {
         if (passes_ < shared::kCameraSequences) {
             return std::nullopt;
@@ -79,7 +79,7 @@ private:
     [[nodiscard]] std::size_t pixelCount() const { return std::size_t{width_} * height_; }
     [[nodiscard]] Image blank() const { return {static_cast<int>(width_), static_cast<int>(height_)}; }
 
-    // What the passes of one sequence add up to, in all layers that are light.
+    // Sum over the passes of one sequence and all layers that hold light.
     [[nodiscard]] glm::dvec3 light(std::size_t sequence, std::size_t pixel) const {
         glm::dvec3 sum(0);
         for (std::size_t layer = 0; layer < layers_.size(); ++layer) {
@@ -88,8 +88,8 @@ private:
         return sum;
     }
 
-    // Of a pixel's mean: the means of the sequences scatter about it, each weighted with its share of the passes, with
-    // one degree of freedom.
+    // Variance of a pixel's mean: from the scatter of the two sequences' means about it, each weighted by its share of
+    // the passes, with one degree of freedom.
     [[nodiscard]] glm::dvec3 variance(std::size_t pixel) const {
         const double all = passes_;
         const std::array<double, 2> passes{std::ceil(all / 2), std::floor(all / 2)};

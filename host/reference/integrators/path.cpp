@@ -1,5 +1,5 @@
-// One path a sample. At each diffuse or rough surface a shadow ray to one light brings its light, and the path may meet
-// the same light by itself: the two are weighted by the densities with which they find it [Veach95].
+// One path per sample. At each diffuse or rough surface one shadow ray samples one light, and the path may also hit
+// that light by itself: the two estimates are weighted by their sampling densities [Veach95].
 #include "reference/integrators/path.h"
 
 #include "reference/film/film.h"
@@ -14,7 +14,7 @@ namespace hyalite::reference {
 
 namespace {
 
-// Light that one shadow ray brings, by a path of one segment more.
+// Light from one shadow ray, which makes the path one segment longer.
 glm::dvec3 directLight(const World& world, const VisiblePoint& x, std::uint32_t pass) {
     if (x.depth + 1 > world.render.maxDepth) {
         return glm::dvec3(0);
@@ -29,14 +29,14 @@ glm::dvec3 directLight(const World& world, const VisiblePoint& x, std::uint32_t 
 
 } // namespace
 
-// By the cosine: f cos / pdfW = pi f. Roulette ends paths in proportion to what they still carry [Arvo90].
+// Cosine-weighted: f cos / pdfW = pi f. Russian roulette: the survival probability follows the throughput [Arvo90].
 std::optional<NextRay> bouncePath(const World& world, const VisiblePoint& x, const CameraPath& path, std::uint32_t pass,
                                   double shift) {
     const shared::Sampler sampler = shared::pathSampler(x.samplerSeed, pass);
     const std::uint32_t vertex = x.depth - 1;
     const glm::dvec3 direction =
         cosineHemisphere(sampleUnitSquare(sampler, shared::pathBounce(vertex), shift), x.normal);
-    if (glm::dot(direction, x.geometricNormal) <= 0) { // a smoothed normal leans over: this way leads into the surface
+    if (glm::dot(direction, x.geometricNormal) <= 0) { // an interpolated normal may tilt the direction into the surface
         return std::nullopt;
     }
     const double cosine = glm::dot(direction, x.normal);

@@ -1,4 +1,4 @@
-// Unidirectional path tracing with next-event estimation [Kajiya86]: slow on caustics, but free of bias.
+// Unidirectional path tracing with next-event estimation [Kajiya86]: slow on caustics, but unbiased.
 #pragma once
 
 #include "image/image.h"
@@ -14,7 +14,8 @@ namespace hyalite::reference {
 // Radiance [W/(m^2 sr)] of one path, `pass`, of a pixel; render.maxDepth counts the segments from the light to the eye.
 [[nodiscard]] glm::dvec3 pathRadiance(const World& world, std::uint32_t pixel, std::uint32_t pass);
 
-// The way on from the diffuse surface that `path` has come to. None: the path ends. `shift`: see sampleUnitSquare.
+// The next ray of `path` from the diffuse surface that it has reached. None: the path ends. `shift`: see
+// sampleUnitSquare.
 [[nodiscard]] std::optional<NextRay> bouncePath(const World& world, const VisiblePoint& x, const CameraPath& path,
                                                 std::uint32_t pass, double shift = 0);
 

@@ -1,5 +1,5 @@
-// First pass: photons. Second pass: direct light by shadow rays, caustics from their map, indirect light by rays that
-// gather from the global map or, without these, from the global map at the place itself [Jensen96].
+// First pass: photons. Second pass: direct light by shadow rays, caustics from the caustic map, indirect light by final
+// gathering from the global map or, without gather rays, from the global map at the visible point [Jensen96].
 #include "reference/integrators/photon_mapping.h"
 
 #include "base/parallel.h"
@@ -64,7 +64,7 @@ PhotonMap computeIrradiance(const World& world, const PhotonMap& global) {
     return PhotonMap(std::move(records));
 }
 
-// The light that a gathering ray finds at a diffuse surface: all of it.
+// All light reflected by the diffuse surface that a gather ray hits.
 glm::dvec3 lookUp(const World& world, const PhotonMaps& maps, const VisiblePoint& y) {
     if (!maps.irradiance) {
         return estimateRadiance(maps.global, y, globalOptions(world, kGlobalKinds)).radiance;
@@ -76,13 +76,13 @@ glm::dvec3 lookUp(const World& world, const PhotonMaps& maps, const VisiblePoint
     if (nearest.empty()) {
         return glm::dvec3(0);
     }
-    // The irradiance has no direction: as if it came evenly from everywhere
+    // Irradiance has no direction: treat it as uniform illumination
     const Receiver receiver = receiverAt(y);
     return receiver.f * maps.irradiance->photons()[nearest.front().index].power * receiver.meanIncident();
 }
 
-// One gathering ray brings f cos / pdf = f pi times the radiance it finds. Light it sees itself is direct light, and
-// light it sees in mirrors, through glass or on rough surfaces belongs to the caustics: none of it counts.
+// One gather ray contributes f cos / pdf = f pi times the radiance it finds. Emission it sees directly is direct light,
+// and emission it sees via mirrors, glass or rough surfaces belongs to the caustics: neither counts here.
 glm::dvec3 finalGather(const World& world, const PhotonMaps& maps, const VisiblePoint& x, std::uint32_t pass) {
     const std::uint32_t rays = world.render.photonMap.gatherRays;
     const Receiver receiver = receiverAt(x);
@@ -106,7 +106,7 @@ glm::dvec3 finalGather(const World& world, const PhotonMaps& maps, const Visible
     return L;
 }
 
-// One shadow ray to every light whose visibility the photons do not tell.
+// One shadow ray to every light whose visibility the shadow photons leave open.
 glm::dvec3 directLight(const World& world, const PhotonMaps& maps, const VisiblePoint& x, std::uint32_t pass) {
     if (x.depth + 1 > world.render.maxDepth) {
         return glm::dvec3(0);

@@ -1,5 +1,5 @@
-// Photon mapping in two passes [Jensen96, Jensen01]: photons from the lights into maps, then rays from the eye that ask
-// the maps what they do not compute themselves.
+// Photon mapping in two passes [Jensen96, Jensen01]: photons from the lights into maps, then rays from the eye that
+// look up in the maps what they do not compute themselves.
 #pragma once
 
 #include "reference/integrators/shading.h"
@@ -12,19 +12,19 @@
 
 namespace hyalite::reference {
 
-// Radiance through a pixel, by the way the light came to the last diffuse surface [W/(m^2 sr)].
+// Radiance through a pixel, split by the path that the light took to the last diffuse surface [W/(m^2 sr)].
 struct LightComponents {
-    glm::dvec3 emitted{0};  // seen itself, in mirrors and through glass too
+    glm::dvec3 emitted{0};  // the light itself, also via mirrors and glass
     glm::dvec3 direct{0};   // straight from a light
-    glm::dvec3 caustic{0};  // by way of mirrors and glass alone
-    glm::dvec3 indirect{0}; // by way of another diffuse surface
+    glm::dvec3 caustic{0};  // via mirrors and glass only
+    glm::dvec3 indirect{0}; // via another diffuse surface
 
     LightComponents& operator+=(const LightComponents& other);
 };
 
 struct PhotonMaps {
     PhotonMap global;                    // direct, indirect and caustic photons
-    std::optional<PhotonMap> caustic;    // caustic photons alone; none: nothing specular, or none wanted
+    std::optional<PhotonMap> caustic;    // caustic photons only; none: nothing specular in the scene, or switched off
     std::optional<PhotonMap> shadow;     // direct and shadow photons
     std::optional<PhotonMap> irradiance; // every fourth photon of the global map, its power the irradiance [W/m^2]
 };
@@ -34,15 +34,16 @@ struct PhotonMaps {
 [[nodiscard]] LightComponents photonMapRadiance(const World& world, const PhotonMaps& maps, std::uint32_t pixel,
                                                 std::uint32_t pass);
 
-// The kinds of photons that bring light.
+// The kinds of photons that carry light.
 inline constexpr std::uint32_t kGlobalKinds =
     kindBit(PhotonKind::Direct) | kindBit(PhotonKind::Indirect) | kindBit(PhotonKind::Caustic);
 
-// How the settings ask for estimates from the global and the caustic map.
+// Options from the settings for estimates from the global and the caustic map.
 [[nodiscard]] RadianceEstimateOptions globalOptions(const World& world, std::uint32_t kinds);
 [[nodiscard]] RadianceEstimateOptions causticOptions(const World& world);
 
-// Follows a path through mirrors and glass to the first diffuse surface and sums what `visit` says of it.
+// Follows a path through mirrors and glass to the first diffuse surface on each branch; sums what `visit` returns
+// there.
 template <class Visit>
 void followPath(const World& world, const Ray& ray, const CameraPath& path, std::uint32_t depth, std::uint32_t index,
                 const Visit& visit) {

@@ -14,11 +14,11 @@ namespace hyalite::reference {
 
 namespace {
 
-// How a photon is drawn, by kind: direct yellow, indirect blue, caustic red, shadow magenta.
+// Colour of a drawn photon, by kind: direct yellow, indirect blue, caustic red, shadow magenta.
 constexpr std::array<glm::dvec3, 4> kPointColors{{{1, 0.8, 0.1}, {0.1, 0.3, 1}, {1, 0.1, 0.05}, {0.5, 0, 0.5}}};
 
-// The pixel that a place is seen in from the middle of the lens; none if it is outside the picture or hidden. A place
-// is not hidden by what is within a thousandth of its distance before it: its own surface.
+// The pixel that sees a point from the centre of the lens; none if the point is outside the picture or occluded.
+// Surfaces within the last thousandth of the distance do not occlude: they are the point's own.
 std::optional<std::size_t> pixelOf(const World& world, const glm::dvec3& place) {
     const CameraFrame& camera = world.camera;
     const glm::dvec3 way = place - camera.position;
@@ -37,7 +37,7 @@ std::optional<std::size_t> pixelOf(const World& world, const glm::dvec3& place) 
     return std::min<std::size_t>(y, camera.height - 1) * camera.width + std::min<std::size_t>(x, camera.width - 1);
 }
 
-// Per pixel the sum of the colours of the kinds of photons that are seen there.
+// Per pixel, the sum of the colours of the photons seen there.
 std::vector<glm::dvec3> drawPhotons(const World& world, const PhotonMaps& maps) {
     const std::size_t pixels = std::size_t{world.camera.width} * world.camera.height;
     std::vector<std::array<bool, 4>> seen(pixels);
@@ -59,7 +59,7 @@ std::vector<glm::dvec3> drawPhotons(const World& world, const PhotonMaps& maps) 
     return colors;
 }
 
-// What a pass adds to each layer of a pixel.
+// Contribution of a pass to each layer of a pixel.
 using LayerSample = std::function<std::vector<glm::dvec3>(std::uint32_t pixel, std::uint32_t pass)>;
 
 struct ViewLayers {
@@ -67,7 +67,7 @@ struct ViewLayers {
     LayerSample sample;
 };
 
-// Sums what `visit` says of the visible points of a pixel, and the emission on the way.
+// Sums what `visit` returns at the visible points of a pixel, and the emission along the path.
 template <class Visit>
 std::vector<glm::dvec3> sampleMap(const World& world, std::uint32_t pixel, std::uint32_t pass, const Visit& visit) {
     glm::dvec3 emitted(0);

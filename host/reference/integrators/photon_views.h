@@ -1,4 +1,4 @@
-// The picture that photon mapping makes, and the looks into its maps that it offers instead.
+// The picture that photon mapping renders, and the views of its maps that render.view can select instead.
 #pragma once
 
 #include "image/layered_image.h"
@@ -7,7 +7,7 @@
 
 namespace hyalite::reference {
 
-// What render.view asks for.
+// Renders the view selected by render.view.
 [[nodiscard]] LayeredImage renderPhotonMap(const World& world, const RenderOptions& options);
 
 } // namespace hyalite::reference

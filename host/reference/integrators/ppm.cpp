@@ -1,5 +1,5 @@
 // Each pass is a complete picture with its own photons and a smaller search radius than the one before; their mean
-// converges, since bias and variance both go to zero [Knaus11].
+// converges, since bias and variance both vanish [Knaus11].
 #include "reference/integrators/ppm.h"
 
 #include "geometry/search_radius.h"
@@ -14,7 +14,7 @@ namespace hyalite::reference {
 
 namespace {
 
-// One shadow ray to one light, picked by the pmf: the paths that photons of depth 1 would stand for.
+// One shadow ray to one light, picked by the pmf: covers the paths that photons of depth 1 would cover.
 glm::dvec3 directLight(const World& world, const VisiblePoint& x, std::uint32_t pass) {
     if (x.depth + 1 > world.render.maxDepth) {
         return glm::dvec3(0);

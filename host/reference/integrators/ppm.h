@@ -11,26 +11,26 @@
 
 namespace hyalite::reference {
 
-// Photons of a pass, and the radius [m] in which they are searched.
+// Photons of a pass, and their search radius [m].
 struct ProgressiveMap {
     PhotonMap photons;
     double radius = 0;
 };
 
-// Caustic photons have a map of their own where the scene holds something specular and the settings ask for them.
+// Caustic photons have their own map if the scene has specular surfaces and the settings request it.
 struct ProgressiveMaps {
     ProgressiveMap global;
     std::optional<ProgressiveMap> caustic;
 };
 
-// Search radii [m], those of the settings or from the density of a few photons. `caustic` is 0 without such a map.
+// Search radii [m], from the settings or from the density of a few photons. `caustic` is 0 without a caustic map.
 struct SearchRadii {
     double global = 0;
     double caustic = 0;
 };
 [[nodiscard]] SearchRadii firstRadii(const World& world);
 
-// The photons of a pass, to be searched in `radii`.
+// Traces the photons of a pass, to be searched within `radii`.
 [[nodiscard]] ProgressiveMaps traceProgressive(const World& world, const SearchRadii& radii, std::uint32_t pass);
 
 // Radiance [W/(m^2 sr)] through a pixel in a pass.

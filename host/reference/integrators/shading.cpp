@@ -1,5 +1,5 @@
-// Specular paths from the camera [Whitted80]; radiance is scaled by the square of the relative index when it crosses
-// a boundary, so that L / n^2 is conserved.
+// Specular paths from the camera [Whitted80]; at a boundary radiance is scaled by the square of the relative index, so
+// that L / n^2 is conserved.
 #include "reference/integrators/shading.h"
 
 #include "reference/bsdf/bsdf.h"
@@ -17,7 +17,7 @@ namespace hyalite::reference {
 namespace {
 
 NextRay follow(const Surface& surface, const BsdfSample& sample, const CameraPath& path, std::uint32_t samplerSeed) {
-    const Material* beyond = surface.front ? surface.material : nullptr; // glass is entered at its front
+    const Material* beyond = surface.front ? surface.material : nullptr; // the path enters glass at its front
     return {.ray = {.origin = leave(surface, sample.direction), .direction = sample.direction},
             .path = {.beta = path.beta * sample.weight,
                      .samplerSeed = samplerSeed,
@@ -25,7 +25,7 @@ NextRay follow(const Surface& surface, const BsdfSample& sample, const CameraPat
                      .pdfW = sample.pdfW}};
 }
 
-// Both ways of a camera path at smooth glass: [0] reflected with weight F, [1] refracted with (1 - F) (n_i / n_t)^2.
+// Reflected and refracted ray of a camera path at smooth glass: [0] weighted by F, [1] by (1 - F) (n_i / n_t)^2.
 std::array<std::optional<NextRay>, 2> splitAtDielectric(const Surface& surface, const glm::dvec3& direction, double eta,
                                                         const CameraPath& path) {
     const double F = fresnelDielectric(incidentCosine(direction, surface.normal), eta);
@@ -39,8 +39,8 @@ std::array<std::optional<NextRay>, 2> splitAtDielectric(const Surface& surface, 
     return next;
 }
 
-// A path inside glass, reflected there, after the next face: that of a ball, or of a pane for all shapes else. The way
-// to it is `chord` long [m], as the last one was.
+// Predicts the ray that a path reflected inside glass has beyond the next face. The face is assumed to be that of a
+// ball or, for every other shape, of a pane, at the distance `chord` [m] of the last segment.
 std::optional<Ray> afterNextFace(const Surface& surface, const glm::dvec3& reflection, double chord, bool isBall,
                                  double eta) {
     const glm::dvec3 normal =
@@ -50,14 +50,14 @@ std::optional<Ray> afterNextFace(const Surface& surface, const glm::dvec3& refle
                      : std::nullopt;
 }
 
-// With which probability a path takes the reflection at smooth glass: Fresnel's, but kShareToLight at least for the one
-// way that leads to a lamp.
+// Probability that a path is reflected at smooth glass: the Fresnel reflectance. If only one of reflection and
+// refraction leads to a light, that one gets at least kShareToLight; outside the glass only the reflection is tested.
 double reflectionProbability(const World& world, const Surface& surface, const Ray& ray, const Hit& hit, double eta,
                              double F) {
     if (F == 0 || F == 1 || world.lights.size() > shared::kMostLightsSought) {
         return F;
     }
-    const auto leadsToLamp = [&](const std::optional<Ray>& way) {
+    const auto leadsToLight = [&](const std::optional<Ray>& way) {
         return way && std::ranges::any_of(world.lights, [&](const Light& light) {
                    return looksAt(light, way->origin, way->direction);
                });
@@ -65,19 +65,19 @@ double reflectionProbability(const World& world, const Surface& surface, const R
     constexpr double share{shared::kShareToLight};
     const glm::dvec3 reflection = reflect(ray.direction, surface.normal);
     if (surface.front) {
-        return leadsToLamp(Ray{.origin = surface.position, .direction = reflection}) ? std::max(F, share) : F;
+        return leadsToLight(Ray{.origin = surface.position, .direction = reflection}) ? std::max(F, share) : F;
     }
     const bool isBall = std::holds_alternative<Sphere>(world.objects[hit.object].shape);
-    const bool reflects = leadsToLamp(afterNextFace(surface, reflection, hit.t, isBall, eta));
+    const bool reflects = leadsToLight(afterNextFace(surface, reflection, hit.t, isBall, eta));
     const glm::dvec3 refraction = refract(ray.direction, surface.normal, eta).value();
-    const bool refracts = leadsToLamp(Ray{.origin = surface.position, .direction = refraction});
+    const bool refracts = leadsToLight(Ray{.origin = surface.position, .direction = refraction});
     if (reflects == refracts) {
         return F;
     }
     return reflects ? std::max(F, share) : std::min(F, 1 - share);
 }
 
-// One way of a camera path at smooth glass, weighted by what its probability is not.
+// Follows reflection or refraction at smooth glass; the weight is whatever the selection probability does not cancel.
 NextRay pickAtDielectric(const World& world, const Surface& surface, const Ray& ray, const Hit& hit, double eta,
                          const CameraPath& path, double choice) {
     const double F = fresnelDielectric(incidentCosine(ray.direction, surface.normal), eta);
@@ -102,8 +102,8 @@ void dropLightweights(std::array<std::optional<NextRay>, 2>& next, double minWei
     }
 }
 
-// Weight of the light that a path finds by chance. Where it has left a rough surface, the lights were sampled there
-// too; the normal is the light's where the ray meets it, `distance` away [m].
+// MIS weight of the emission that a path hits. Where the path left a rough surface, next-event estimation sampled the
+// lights too. `normal` is the light's at the hit, `distance` away [m].
 double emissionWeight(const World& world, const Light& light, const CameraPath& path, const Ray& ray, double distance,
                       const glm::dvec3& normal) {
     if (path.pdfW == 0) {
@@ -113,7 +113,7 @@ double emissionWeight(const World& world, const Light& light, const CameraPath& 
     return powerHeuristic(path.pdfW, pmf * lightPdf(light, ray.origin, ray.direction, distance, normal));
 }
 
-// Leaves by the lobe; `path` has the probability of that divided out.
+// Leaves by the lobe; the probability of that is already divided out of `path`.
 void leaveByLobe(Shading& shading, const Surface& surface, const Ray& ray, const Lobe& lobe, const CameraPath& path,
                  std::uint32_t depth, std::uint32_t pass, double choice) {
     glm::dvec2 uv(0);
@@ -193,7 +193,7 @@ Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const C
         onward.beta = path.beta / (both ? 1 : 1 - probability);
         shading.visible = visibleAt(surface, model, -ray.direction, onward, depth);
     }
-    // ppm limits the segments of the path, whitted the bounces between them.
+    // ppm limits the number of path segments, whitted the number of bounces between them.
     const std::uint32_t maxSegments = world.render.maxDepth + (whitted ? 1 : 0);
     if (lobe && depth < maxSegments && (both || choice < probability)) {
         const PickedLobe picked = pickLobe(*lobe, cosOut, both ? choice : choice / probability);

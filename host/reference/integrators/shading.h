@@ -1,4 +1,4 @@
-// What happens to a camera path at a hit: light seen, a diffuse surface found, or specular directions to follow.
+// A camera path at a hit: emission seen, a diffuse surface reached, or specular directions to follow.
 #pragma once
 
 #include "reference/lights/lights.h"
@@ -13,10 +13,10 @@ namespace hyalite::reference {
 
 // The state of a camera path that has not yet met a diffuse surface.
 struct CameraPath {
-    glm::dvec3 beta{1};               // throughput: what one unit of radiance along the present ray adds to the pixel
+    glm::dvec3 beta{1};               // throughput: what unit radiance along the current ray adds to the pixel
     std::uint32_t samplerSeed = 0;    // see shared::pathSampler
-    const Material* medium = nullptr; // of the world: the dielectric that it runs in; nullptr: none
-    double pdfW = 0;                  // density of the present direction [1/sr]; 0: by the camera or a smooth surface
+    const Material* medium = nullptr; // of the world: the dielectric around the ray; nullptr: none
+    double pdfW = 0;                  // density of the current direction [1/sr]; 0: from the camera or a smooth surface
 };
 
 // The path that starts at the camera.
@@ -34,13 +34,13 @@ struct Shading {
     std::array<std::optional<NextRay>, 2> next; // reflected or by a rough lobe, refracted
 };
 
-// Of a path whose ray hits nothing: it sees the environment.
+// For a path whose ray hits nothing: it sees the environment.
 [[nodiscard]] Shading shadeMiss(const World& world, const Ray& ray, const CameraPath& path);
 
-// `depth` counts the segments from the camera to the hit. At smooth glass whitted follows both ways, weighted, unless
-// their throughput is below render.minWeight; the others one, picked with the Fresnel reflectance, or with
-// kShareToLight at least for the one way that leads to a lamp. Likewise, where a surface has a diffuse part
-// and a lobe: one or both.
+// `depth` counts the segments from the camera to the hit. At smooth glass whitted follows reflection and refraction,
+// weighted, unless their throughput is below render.minWeight. The other integrators follow one of them, picked by the
+// Fresnel reflectance; if only one leads to a light, its probability is at least kShareToLight. Where a surface has a
+// diffuse part and a lobe, whitted follows both and the others pick one.
 [[nodiscard]] Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const CameraPath& path,
                                    std::uint32_t depth, std::uint32_t pass);
 

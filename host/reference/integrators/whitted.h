@@ -1,4 +1,4 @@
-// Recursive ray tracing: mirror reflections, refractions and shadows, no light by way of diffuse surfaces [Whitted80].
+// Recursive ray tracing: mirror reflections, refractions and shadows, no diffuse interreflection [Whitted80].
 #pragma once
 
 #include "image/image.h"

@@ -33,7 +33,7 @@ glm::dvec2 concentricDisc(glm::dvec2 uv) {
 }
 
 Basis orthonormalBasis(const glm::dvec3& n) {
-    const double sign = n.z < 0 ? -1.0 : 1.0; // not copysign: turning a normal must not turn a zero into another basis
+    const double sign = n.z < 0 ? -1.0 : 1.0; // not copysign: a normal's -0 must give the same basis as +0
     const double a = -1 / (sign + n.z);
     const double b = n.x * n.y * a;
     return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}};

@@ -1,5 +1,5 @@
-// From the shared random integers to points and directions: the maps of the unit square that the renderers sample
-// with [Shirley97, Duff17].
+// Turns the shared random integers into points and directions: the mappings from the unit square that the renderers
+// sample with [Shirley97, Duff17].
 #pragma once
 
 #include "scene/model/scene.h"
@@ -10,14 +10,14 @@
 
 namespace hyalite::reference {
 
-// The number in [0, 1) that 32 random bits stand for: their upper 24, which single precision holds exactly too.
+// Maps 32 random bits to [0, 1): their upper 24 bits, which single precision also represents exactly.
 [[nodiscard]] double toUnit(std::uint32_t bits);
 
-// The sampler's pair of numbers in [0, 1)^2 for a dimension; with `shift` added as far as they stay in there: what
-// would a rounding of them change?
+// The sampler's pair of numbers in [0, 1)^2 for a dimension. `shift` is added to both but keeps them in that range;
+// parity uses it to ask what a rounding of the numbers would change.
 [[nodiscard]] glm::dvec2 sampleUnitSquare(const shared::Sampler& sampler, std::uint32_t dimension, double shift = 0);
 
-// Concentric map to the unit disc, uniform in area [Shirley97].
+// Concentric mapping to the unit disc, uniform in area [Shirley97].
 [[nodiscard]] glm::dvec2 concentricDisc(glm::dvec2 uv);
 
 struct Basis { // right-handed, orthonormal, with the normal as third axis

@@ -33,8 +33,8 @@ LightPoint pointOn(const Sphere& sphere, glm::dvec2 uv) {
             .normal = normal,
             .offset = surfaceOffset(glm::length(sphere.center) + sphere.radius)};
 }
-// A triangle by area, then a point of it: what is left of the first number, its square root taken, and the second one
-// say how far from the first corner, and how far round.
+// Picks a triangle by area, then a point on it: the square root of the first number's remainder gives the distance from
+// the first corner, the second number the position along the opposite edge.
 LightPoint pointOn(const EmittingMesh& mesh, glm::dvec2 uv) {
     const auto choice = std::upper_bound(mesh.cdf.begin(), mesh.cdf.end() - 1, uv.x);
     const double before = choice == mesh.cdf.begin() ? 0 : *(choice - 1);
@@ -56,7 +56,8 @@ double areaOf(const Sphere& sphere) {
     return 4 * pi * sphere.radius * sphere.radius;
 }
 
-// Where the line from the origin meets the plane of the shape, in its edges (axes); none: it never sees the front.
+// Where the ray from the origin meets the shape's plane, in coordinates along its edges (axes); none: it never sees the
+// front.
 std::optional<glm::dvec2> placeOnFront(const glm::dvec3& corner, const glm::dvec3& edge0, const glm::dvec3& edge1,
                                        const glm::dvec3& origin, const glm::dvec3& direction) {
     const double volume = glm::dot(glm::cross(edge0, edge1), direction);
@@ -104,7 +105,7 @@ AreaLight meshLight(const Scene& scene, const MeshInstance& instance, const Obje
         for (glm::dvec3& corner : corners) {
             corner = map.pointToWorld(corner);
         }
-        if (glm::determinant(map.linear) < 0) { // a mirror image runs the other way round
+        if (glm::determinant(map.linear) < 0) { // a mirrored mesh has the opposite winding
             std::swap(corners[1], corners[2]);
         }
         const double part = glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0])) / 2;
@@ -167,14 +168,14 @@ bool looksAt(const AreaLight& light, const glm::dvec3& origin, const glm::dvec3&
     return std::visit([&](const auto& shape) { return looksAt(shape, origin, direction); }, light.shape);
 }
 
-// An area sends Le cos(l) per area, and 1 / A is the density of the point.
+// An area light emits Le cos(l) per area, and the density of the point is 1 / A.
 Offer offerTo(const glm::dvec3& receiver, const AreaLight& light, glm::dvec2 uv) {
     const LightPoint y = pointFacing(light, receiver, uv);
     const double cosLight = glm::dot(y.normal, glm::normalize(receiver - y.position));
     Offer offer = offerFrom(y.position, receiver, light.radiance * (std::max(cosLight, 0.0) * areaFacing(light)));
-    // Moved off by the roundings of the way there too, which those of the light's coordinates do not bound
-    offer.shadowEnd = y.moved() + surfaceOffset(glm::length(offer.way)) * y.normal;
-    offer.pdfW = cosLight > 0 ? glm::dot(offer.way, offer.way) / (cosLight * areaFacing(light)) : 0;
+    // The offset also covers the rounding of the distance, which the rounding of the light's coordinates does not bound
+    offer.shadowEnd = y.moved() + surfaceOffset(glm::length(offer.toLight)) * y.normal;
+    offer.pdfW = cosLight > 0 ? glm::dot(offer.toLight, offer.toLight) / (cosLight * areaFacing(light)) : 0;
     return offer;
 }
 

@@ -1,4 +1,4 @@
-// Lights with a surface, each point of whose front has the same radiance in all directions.
+// Lights with a surface: every point of the front emits the same radiance in all directions.
 #pragma once
 
 #include "reference/lights/light_sample.h"
@@ -12,15 +12,15 @@
 
 namespace hyalite::reference {
 
-// The triangles of a mesh where an instance puts them; none is without area.
+// The triangles of an instance of a mesh, in world space, without the degenerate ones.
 struct EmittingMesh {
     struct Triangle {
-        std::array<glm::dvec3, 3> corners; // world [m], counter-clockwise from the front, the mesh's first one first
+        std::array<glm::dvec3, 3> corners; // world [m], counter-clockwise from the front, from the mesh's first
         glm::dvec3 normal;                 // unit, of the front
-        double offset;                     // distance [m] that a ray starts from it
+        double offset;                     // distance [m] from the triangle at which a ray starts
     };
     std::vector<Triangle> triangles;
-    std::vector<double> cdf; // area up to and including each triangle, over the whole; 1 for the last
+    std::vector<double> cdf; // area up to and including each triangle over the total area; 1 for the last
 };
 
 struct AreaLight {
@@ -29,10 +29,10 @@ struct AreaLight {
     glm::dvec3 radiance; // of the front [W/(m^2 sr)]
 };
 
-// Throws Error(BadInput) at an emitting object of another shape than quad, disk, sphere and mesh.
+// Throws Error(BadInput) if the shape is not a quad, disk, sphere or mesh.
 [[nodiscard]] AreaLight makeAreaLight(const Scene& scene, const Object& object);
 
-// A point of a light's surface with its normal on the emitting side, and how far a ray starts from it.
+// A point on a light's surface, with its normal on the emitting side and the ray offset.
 struct LightPoint {
     glm::dvec3 position;
     glm::dvec3 normal;
@@ -41,14 +41,14 @@ struct LightPoint {
     [[nodiscard]] glm::dvec3 moved() const { return position + offset * normal; }
 };
 
-// Evenly distributed over the area.
+// Uniform over the area.
 [[nodiscard]] LightPoint pointOn(const AreaLight& light, glm::dvec2 uv);
 
-// The same for a receiver: of a sphere only the half that faces it; and the area [m^2] that this chooses from.
+// The same as seen from a receiver: of a sphere, only the hemisphere facing it. areaFacing is the area [m^2] sampled.
 [[nodiscard]] LightPoint pointFacing(const AreaLight& light, const glm::dvec3& receiver, glm::dvec2 uv);
 [[nodiscard]] double areaFacing(const AreaLight& light);
 
-// Does a ray that nothing stops see the front of a quad, a disk or a sphere? Never that of a mesh.
+// True if the ray, ignoring occlusion, hits the front of a quad, disk or sphere. Always false for a mesh.
 [[nodiscard]] bool looksAt(const AreaLight& light, const glm::dvec3& origin, const glm::dvec3& direction);
 
 // See light_sample.h.

@@ -25,7 +25,7 @@ Offer offerTo(const glm::dvec3& receiver, const ParallelLight& light, glm::dvec2
     const double distance = light.isEverywhere ? kBeyond : along;
     const bool isLit = light.isEverywhere || (along > 0 && startDisc(light)->isPassed(receiver, light.direction));
     const glm::dvec3 way = -distance * light.direction;
-    return {.way = way, .shadowEnd = receiver + way, .irradiance = isLit ? light.irradiance : glm::dvec3(0)};
+    return {.toLight = way, .shadowEnd = receiver + way, .irradiance = isLit ? light.irradiance : glm::dvec3(0)};
 }
 
 double pdfToward(const ParallelLight& /*light*/, const glm::dvec3& /*direction*/, double /*distance*/,

@@ -1,5 +1,4 @@
-// Light of one direction: over all of the scene from beyond it, or from a disc on and no wider than it. See
-// light_sample.h.
+// Light of one direction: over the whole scene from outside it, or a beam that starts at a disc. See light_sample.h.
 #pragma once
 
 #include "reference/lights/light_sample.h"
@@ -12,10 +11,10 @@
 namespace hyalite::reference {
 
 struct ParallelLight {
-    glm::dvec3 direction;      // unit, where the light goes
-    glm::dvec3 irradiance;     // of a surface that faces it [W/m^2]
-    bool isEverywhere = false; // lights what the disc does not cover too, and comes from beyond the scene
-    glm::dvec3 center{0};      // of the disc where its photons start [m]
+    glm::dvec3 direction;      // unit, along the propagation
+    glm::dvec3 irradiance;     // at a surface facing the light [W/m^2]
+    bool isEverywhere = false; // comes from outside the scene and lights everything, also what the disc does not cover
+    glm::dvec3 center{0};      // of the disc from which its photons start [m]
     double radius = 0;         // of that disc [m]
 };
 

@@ -15,7 +15,7 @@ double channelMean(const glm::dvec3& c) {
     return (c.x + c.y + c.z) / 3;
 }
 
-// Running sums over their total, which is returned.
+// Turns the weights into their normalised running sums; returns their total.
 double makeCdf(std::vector<double>& weights) {
     double sum = 0;
     for (double& weight : weights) {
@@ -30,7 +30,7 @@ double makeCdf(std::vector<double>& weights) {
 
 struct Choice {
     int index = 0;
-    double rest = 0; // where x lies between the element's ends, [0, 1)
+    double rest = 0; // position of x within the element, [0, 1)
 };
 Choice choose(const std::vector<double>& cdf, double x) {
     const auto found = std::upper_bound(cdf.begin(), cdf.end() - 1, x);
@@ -43,7 +43,7 @@ Choice choose(const std::vector<double>& cdf, double x) {
 EnvironmentLight::EnvironmentLight(const Environment& environment)
     : image_(environment.image), scale_(environment.scale), turns_(environment.rotation / 360) {
     for (int y = 0; y < image_.height; ++y) {
-        // Colatitudes pi y / height: the solid angle between two of them is 2 pi times the difference of the cosines
+        // Colatitudes pi y / height: the solid angle between two of them is 2 pi times the difference of their cosines
         const double solidAngle =
             2 * pi / image_.width * (std::cos(pi * y / image_.height) - std::cos(pi * (y + 1) / image_.height));
         std::vector<double> weights;
@@ -69,7 +69,7 @@ glm::dvec3 EnvironmentLight::radiance(const glm::dvec3& direction) const {
 glm::dvec3 EnvironmentLight::sample(glm::dvec2 uv) const {
     const Choice row = choose(rowCdf_, uv.y);
     const Choice column = choose(columnCdf_.at(static_cast<std::size_t>(row.index)), uv.x);
-    // Evenly in the cosine of the colatitude and in the azimuth
+    // Uniform in the cosine of the colatitude and in the azimuth
     const double top = std::cos(pi * row.index / image_.height);
     const double bottom = std::cos(pi * (row.index + 1) / image_.height);
     const double cosine = std::clamp(top + row.rest * (bottom - top), -1.0, 1.0);
@@ -86,7 +86,7 @@ Offer offerTo(const glm::dvec3& receiver, const SurroundingLight& light, glm::dv
     const glm::dvec3 direction = light.map.sample(uv);
     const double pdfW = light.map.pdfW(direction);
     const glm::dvec3 way = kBeyond * direction;
-    return {.way = way,
+    return {.toLight = way,
             .shadowEnd = receiver + way,
             .irradiance = pdfW > 0 ? light.map.radiance(direction) / pdfW : glm::dvec3(0),
             .pdfW = pdfW};

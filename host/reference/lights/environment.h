@@ -1,5 +1,5 @@
-// Light from beyond the scene: an equirectangular image of radiance, constant over each pixel, and directions sampled
-// from it. The middle of the image is seen along -z, its upper edge is +y.
+// Environment light: an equirectangular image of radiance, constant over each pixel, and directions sampled from it.
+// The centre of the image is along -z, its upper edge is +y.
 #pragma once
 
 #include "reference/lights/light_sample.h"
@@ -16,14 +16,14 @@ class EnvironmentLight {
 public:
     explicit EnvironmentLight(const Environment& environment);
 
-    // From the unit direction, seen from the scene [W/(m^2 sr)].
+    // Radiance arriving from the unit direction, as seen from the scene [W/(m^2 sr)].
     [[nodiscard]] glm::dvec3 radiance(const glm::dvec3& direction) const;
 
-    // Over all directions [W/m^2].
+    // Integral of the radiance over all directions [W/m^2].
     [[nodiscard]] const glm::dvec3& integral() const { return integral_; }
 
-    // A direction towards the light: a pixel with a probability in proportion to the mean of its channels times its
-    // solid angle, then any direction of it.
+    // A direction towards the light: a pixel with probability proportional to the mean of its channels times its solid
+    // angle, then a uniform direction within it.
     [[nodiscard]] glm::dvec3 sample(glm::dvec2 uv) const;
 
     // Density [1/sr] of sample().
@@ -35,10 +35,10 @@ private:
     double turns_;                               // about +y, counter-clockwise
     glm::dvec3 integral_{0};                     // [W/m^2]
     std::vector<double> rowCdf_;                 // 1 for the last
-    std::vector<std::vector<double>> columnCdf_; // of each row; likewise
+    std::vector<std::vector<double>> columnCdf_; // of each row; 1 for the last
 };
 
-// The environment, and the sphere that its photons are aimed at.
+// The environment, and the sphere at which its photons are aimed.
 struct SurroundingLight {
     EnvironmentLight map;
     LightSphere sphere;
@@ -53,7 +53,7 @@ struct SurroundingLight {
                                      const glm::dvec3& direction);
 [[nodiscard]] double emissionCosine(const SurroundingLight& light);
 [[nodiscard]] std::optional<StartDisc> startDisc(const SurroundingLight& light);
-// Flux [W] of the light if all that it emits were like its rays in `direction`.
+// Flux [W] of the light if all its emission were like its rays in `direction`.
 [[nodiscard]] glm::dvec3 rayPower(const SurroundingLight& light, const glm::dvec3& direction);
 [[nodiscard]] glm::dvec3 fluxOf(const SurroundingLight& light);
 

@@ -28,7 +28,7 @@ void setProbabilities(std::vector<Light>& lights) {
         light.cdf = cdf;
     }
     if (!lights.empty()) {
-        lights.back().cdf = 1; // not a rounding error less
+        lights.back().cdf = 1; // exactly, despite rounding
     }
 }
 
@@ -88,7 +88,7 @@ LightArrival sampleArrival(const World& world, const glm::dvec3& receiver, const
     const glm::dvec2 uv = sampleUnitSquare(sampler, shared::cameraLightPoint(vertex), choice.shift);
     const Light& chosen = world.lights[light];
     const Offer offer = std::visit([&](const auto& shape) { return offerTo(receiver, shape, uv); }, chosen.shape);
-    return {.direction = glm::normalize(offer.way),
+    return {.direction = glm::normalize(offer.toLight),
             .shadowEnd = offer.shadowEnd,
             .irradiance = offer.irradiance / pmf,
             .pdfW = pmf * offer.pdfW};

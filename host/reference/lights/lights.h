@@ -1,4 +1,4 @@
-// The lights of a scene: how likely each is picked, where light starts, and what arrives at a surface.
+// The lights of a scene: selection probabilities, emitted rays, and the light arriving at a surface.
 #pragma once
 
 #include "reference/lib/sampling.h"
@@ -22,101 +22,101 @@ namespace hyalite::reference {
 struct World;
 struct PhotonPass;
 
-// The list of lights: each type has a file of its own, see light_sample.h.
+// A light of any type; each type has its own file, see light_sample.h.
 struct Light {
     std::variant<PointLight, SpotLight, ParallelLight, SurroundingLight, AreaLight> shape;
-    glm::dvec3 power; // flux [W]: 4 pi I of a point, pi A L of a surface; the others: see makeLights
+    glm::dvec3 power; // flux [W]: 4 pi I of a point, pi A L of a surface; for others see makeLights
     double share = 1; // weight of the power in the pmf
     double pmf = 0;   // probability that a photon or a shadow ray picks this light
     double cdf = 0;   // sum of the pmf up to and including this light; 1 for the last
-    std::optional<std::uint32_t> object = std::nullopt; // of the scene, that emits; none: no object does
+    std::optional<std::uint32_t> object = std::nullopt; // the emitting object of the scene; none: not an object
 };
 
-// The environment, points, spots and directional lights in the scene's order, then emitting objects in theirs; pmf in
-// proportion to the mean of the flux's channels times the share (all 0 where nothing emits). The flux of parallel light
-// is that through its disc, that of the environment what passes a disc across each direction as wide as lightSphere.
-// Throws Error(BadInput) at an emitting object of another shape than quad, disk, sphere and mesh.
+// The environment, points, spots and directional lights in the scene's order, then emitting objects in theirs; the pmf
+// is proportional to the mean of the flux's channels times the share (all 0 if nothing emits). The flux of parallel
+// light is that through its disc; the flux of the environment is integrated over all directions, each through a disc of
+// the radius of lightSphere. Throws Error(BadInput) if an emitting object is not a quad, disk, sphere or mesh.
 [[nodiscard]] std::vector<Light> makeLights(const Scene& scene);
 
-// The first light with x < cdf; x in [0, 1). Some light must emit.
+// The first light with x < cdf; x in [0, 1). At least one light must emit.
 [[nodiscard]] std::uint32_t chooseLight(const std::vector<Light>& lights, double x);
 
-// Where a camera path ends at a diffuse surface: there the lights are sampled, the photons are gathered and the BSDF is
-// evaluated (reference/lights/receiver.h).
+// Diffuse surface point at the end of a camera path: the lights are sampled, the photons gathered and the BSDF
+// evaluated (reference/lights/receiver.h) here.
 struct VisiblePoint {
     glm::dvec3 position;        // world [m]
-    glm::dvec3 shadowOrigin;    // the same, moved off the surface to the side the path came from [m]
+    glm::dvec3 shadowOrigin;    // the position, moved off the surface to the side the path came from [m]
     glm::dvec3 normal;          // unit, for shading, on that side
     glm::dvec3 geometricNormal; // unit, on that side
-    glm::dvec3 wo;              // unit, to where the path came from
+    glm::dvec3 wo;              // unit, towards the origin of the path's last segment
     glm::dvec3 beta;            // path throughput, probability of the diffuse part divided out
-    // With its textures multiplied in; none: the irradiance is asked for.
+    // Textures multiplied in; none: compute irradiance.
     std::optional<MaterialModel> material = std::nullopt;
     std::uint32_t depth = 0; // segments from the camera to here
     std::uint32_t samplerSeed = 0;
-    const Quad* quad = nullptr; // of the world: the parallelogram that this is on; nullptr: another shape
+    const Quad* quad = nullptr; // of the world: the parallelogram under this point; nullptr: another shape
 };
 
-// Which light is sampled, with which numbers: the light named, with a sequence of its own (whitted sums over all of
-// them), or one picked by the pmf (ppm).
+// Which light to sample, with which random numbers: the given light, with its own sequence (whitted sums over all
+// lights), or one picked by the pmf (ppm).
 struct LightChoice {
-    std::uint32_t depth = 0; // of the vertex that is lit
+    std::uint32_t depth = 0; // of the lit vertex
     std::uint32_t samplerSeed = 0;
     std::uint32_t pass = 0;
     std::optional<std::uint32_t> light = std::nullopt;
-    double shift = 0; // of the numbers: see sampleUnitSquare
+    double shift = 0; // of the random numbers: see sampleUnitSquare
 };
 
-// What the chosen light sends to a receiver from the place that is chosen on it.
+// Light arriving at a receiver from the sampled place on the sampled light.
 struct LightArrival {
     glm::dvec3 direction;  // unit, to that place
     glm::dvec3 shadowEnd;  // the place, moved off the light [m]
-    glm::dvec3 irradiance; // of a surface that faces it, density of the choice divided out [W/m^2]
-    double pdfW = 0;       // that density, the light's pmf in it [1/sr]; 0: no ray can hit the light
+    glm::dvec3 irradiance; // at a surface facing it, sampling density divided out [W/m^2]
+    double pdfW = 0;       // sampling density, light pmf included [1/sr]; 0: no ray can hit the light
 };
 [[nodiscard]] LightArrival sampleArrival(const World& world, const glm::dvec3& receiver, const LightChoice& choice);
 
-// One shadow ray: its two ends, moved off their surfaces, and the radiance it brings if nothing stands between.
+// One shadow ray: its two ends, moved off their surfaces, and its contribution if unoccluded.
 struct LightSample {
     glm::dvec3 from;         // world [m]
     glm::dvec3 to;           // world [m]
     glm::dvec3 contribution; // [W/(m^2 sr)]
     double cosine = 0;       // of the angle to the surface's normal
-    double pdfW = 0;         // density of the choice [1/sr]; 0: no ray can hit the light
+    double pdfW = 0;         // sampling density [1/sr]; 0: no ray can hit the light
 };
 
-// Samples one light, the one named or one picked, at a visible point in a pass; `shift`: see LightChoice. None: the
-// light cannot reach that side.
+// Samples one light, given or picked by the pmf, at a visible point in a pass; `shift`: see LightChoice. None: the
+// light cannot reach that side of the surface.
 [[nodiscard]] std::optional<LightSample> sampleLight(const World& world, const VisiblePoint& x, std::uint32_t pass,
                                                      std::optional<std::uint32_t> light, double shift = 0);
 
-// Radiance [W/(m^2 sr)] from the unit direction, of rays that hit nothing.
+// Radiance [W/(m^2 sr)] from the unit direction, for rays that hit nothing.
 [[nodiscard]] glm::dvec3 environmentRadiance(const World& world, const glm::dvec3& direction);
 
-// Density [1/sr] with which sampleLight chooses the unit `direction` from a receiver that sees the light there, at this
-// distance and with this normal (neither matters where it comes from beyond the scene); 0 where it chooses none, at
-// lights that no ray can hit. The light's pmf is not in it.
+// Density [1/sr] with which sampleLight samples the unit `direction` from a receiver that sees the light at this
+// distance and with this normal (both ignored for light from outside the scene); 0 for lights that no ray can hit. The
+// light's pmf is not included.
 [[nodiscard]] double lightPdf(const Light& light, const glm::dvec3& receiver, const glm::dvec3& direction,
                               double distance, const glm::dvec3& lightNormal);
 
-// A ray of the light's photons, with a density in proportion to the flux.
+// Samples a photon ray of the light, with a density proportional to its flux.
 [[nodiscard]] LightRay emitFrom(const Light& light, glm::dvec2 uOrigin, glm::dvec2 uDirection);
 
-// Flux [W] of the light if all that it emits were like its rays in `direction`: on average over emitFrom, its power.
+// Flux [W] of the light if all its emission were like its rays in `direction`; averages to its power over emitFrom.
 [[nodiscard]] glm::dvec3 rayPower(const Light& light, const glm::dvec3& direction);
 
-// Density [1/sr] with which emitFrom would send `direction` from a point with this normal; 0 where it never would, and
-// for parallel light.
+// Density [1/sr] with which emitFrom samples `direction` from a point with this normal; 0 for directions it never
+// samples, and for parallel light.
 [[nodiscard]] double emissionDensity(const Light& light, const glm::dvec3& normal, const glm::dvec3& direction);
 
-// Density [1/m^2], across `direction`, with which emitFrom starts its rays of this direction on the line through
-// `point`; 0 for lights that choose the origin first. Of parallel light the direction must be its own.
+// Density [1/m^2], perpendicular to `direction`, with which emitFrom starts rays of this direction on the line through
+// `point`; 0 for lights that choose the origin first. For parallel light, `direction` must be the light's.
 [[nodiscard]] double originDensity(const Light& light, const glm::dvec3& point, const glm::dvec3& direction);
 
-// Cosine of the half-angle of the cone that holds all directions of the light from one of its points.
+// Cosine of the half-angle of the cone containing all directions emitted from one point of the light.
 [[nodiscard]] double emissionCosine(const Light& light);
 
-// Does a ray that nothing stops see the front of an emitting quad, disk or sphere? Never that of a mesh.
+// True if the ray, ignoring occlusion, hits the front of an emitting quad, disk or sphere. Always false for a mesh.
 [[nodiscard]] bool looksAt(const Light& light, const glm::dvec3& origin, const glm::dvec3& direction);
 
 struct Emission {
@@ -125,7 +125,7 @@ struct Emission {
     std::uint32_t light = 0;
 };
 
-// Emission of photon `photon` of a pass, from a light picked by the pmf. Some light must emit. `shift`: see
+// Emission of photon `photon` of a pass, from a light picked by the pmf. At least one light must emit. `shift`: see
 // sampleUnitSquare.
 [[nodiscard]] Emission emitPhoton(const World& world, std::uint32_t photon, const PhotonPass& pass, double shift = 0);
 

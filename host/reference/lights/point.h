@@ -1,4 +1,4 @@
-// Light from a point, the same in every direction. See light_sample.h.
+// Isotropic point light. See light_sample.h.
 #pragma once
 
 #include "reference/lights/light_sample.h"

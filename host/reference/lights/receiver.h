@@ -1,5 +1,5 @@
-// What a visible point makes of the light that comes to it from any direction: all that does not depend on the
-// direction is evaluated once for a point.
+// Reflection of incident light at a visible point: the factors that do not depend on the direction of incidence are
+// evaluated once per point.
 #pragma once
 
 #include "reference/bsdf/bsdf.h"
@@ -10,11 +10,10 @@
 namespace hyalite::reference {
 
 struct Receiver {
-    glm::dvec3 f; // path throughput times the BSDF [1/sr], but for the factor of the direction of incidence
+    glm::dvec3 f; // path throughput times the BSDF [1/sr], without the factor of the direction of incidence
     std::optional<DiffusePart> diffuse; // none: that factor is 1
 
-    // The factor of a direction of incidence, `cosine` from the normal, and its mean for light that comes evenly from
-    // everywhere.
+    // The factor for a direction of incidence at `cosine` to the normal, and its mean under uniform illumination.
     [[nodiscard]] double incident(double cosine) const { return diffuse ? diffuse->letThrough(cosine) : 1; }
     [[nodiscard]] double meanIncident() const { return diffuse ? diffuse->meanLetThrough() : 1; }
 };

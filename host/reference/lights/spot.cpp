@@ -18,7 +18,7 @@ struct Cone {
     explicit Cone(const SpotLight& spot)
         : inner(std::cos(spot.angle * (1 - spot.blend) * pi / 180)), outer(std::cos(spot.angle * pi / 180)) {}
 
-    // The integral of t^2 (3 - 2 t) over t is 1/2: s integrates over c to this.
+    // Integral of s over c; that of t^2 (3 - 2 t) over t is 1/2.
     [[nodiscard]] double integral() const { return (1 - inner) + (inner - outer) / 2; }
 
     [[nodiscard]] double profile(double c) const {
@@ -32,7 +32,7 @@ struct Cone {
         return t * t * (3 - 2 * t);
     }
 
-    // The cosine above which s has the share x of its integral; between the cones by bisection.
+    // The cosine above which s has the fraction x of its integral; by bisection between the cones.
     [[nodiscard]] double quantile(double x) const {
         const double above = x * integral();
         if (above <= 1 - inner) {

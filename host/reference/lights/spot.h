@@ -1,5 +1,6 @@
-// Light from a point about an axis. Its profile s(c) over the cosine c with the axis is 1 above the inner cosine, 0
-// below the outer one, and t^2 (3 - 2 t) between, with t = (c - outer) / (inner - outer). See light_sample.h.
+// Spot light: a point light within a cone about an axis. Its profile s(c) over the cosine c with the axis is 1 above
+// the inner cosine, 0 below the outer one, and t^2 (3 - 2 t) between, with t = (c - outer) / (inner - outer). See
+// light_sample.h.
 #pragma once
 
 #include "reference/lights/light_sample.h"

@@ -1,4 +1,4 @@
-// The map is a kd-tree of the nanoflann library over the photons' positions.
+// The map is a nanoflann kd-tree over the photons' positions.
 #include "reference/photons/photon_map.h"
 
 #include "reference/lights/receiver.h"
@@ -20,7 +20,7 @@ namespace {
 
 using std::numbers::pi;
 
-struct PhotonCloud { // the interface nanoflann asks of its points
+struct PhotonCloud { // the interface that nanoflann requires of its points
     std::vector<Photon> photons;
 
     [[nodiscard]] std::size_t kdtree_get_point_count() const { return photons.size(); }
@@ -33,9 +33,9 @@ struct PhotonCloud { // the interface nanoflann asks of its points
     } // let the tree compute it
 };
 
-// Collects candidates from nanoflann's walk; the library's own result sets changed between its versions.
+// Collects candidates from nanoflann's traversal; the library's own result sets differ between its versions.
 struct Candidates {
-    using DistanceType = double; // asked for from version 1.7 on
+    using DistanceType = double; // required since version 1.7
     using IndexType = std::uint32_t;
 
     double worst; // squared distance [m^2]
@@ -58,15 +58,15 @@ struct NearestCandidates {
 
     const glm::dvec3& x;
     std::size_t count;
-    double reach2; // squared distance of the farthest that is of interest [m^2]
+    double reach2; // squared distance of the farthest candidate still of interest [m^2]
     const std::vector<Photon>& photons;
     const std::function<bool(const Photon&)>& accept;
     std::set<std::pair<double, std::uint32_t>> found;
 
     [[nodiscard]] std::size_t size() const { return found.size(); }
     [[nodiscard]] static bool full() { return true; }
-    // The walk sums squared distances step by step and rounds, and does not look at what is just as far: let it look a
-    // little farther.
+    // The traversal accumulates squared distances with rounding and skips candidates at exactly this distance: let it
+    // search slightly farther.
     [[nodiscard]] double worstDist() const {
         const double worst = found.size() < count ? reach2 : found.rbegin()->first;
         return worst * (1 + 1e-12) + std::numeric_limits<double>::min();
@@ -82,7 +82,7 @@ struct NearestCandidates {
         }
         return true;
     }
-    void sort() {} // the set is
+    void sort() {} // already sorted
 };
 
 using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PhotonCloud>, PhotonCloud, 3,
@@ -110,7 +110,7 @@ const std::vector<Photon>& PhotonMap::photons() const {
 }
 
 std::vector<std::uint32_t> PhotonMap::near(const glm::dvec3& x, double radius) const {
-    // The tree sums squared distances step by step and rounds: ask a little wider, then apply the definition.
+    // The tree accumulates squared distances with rounding: search slightly wider, then apply the definition.
     std::vector<std::uint32_t> indices;
     Candidates candidates{.worst = radius * radius * (1 + 1e-12), .indices = indices};
     tree_->index.findNeighbors(candidates, &x.x, {});

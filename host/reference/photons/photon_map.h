@@ -1,4 +1,4 @@
-// The photons of a pass, found by place [Jensen01], and the density estimate made from those near a visible point.
+// Spatial lookup of a pass's photons [Jensen01], and the density estimate from those near a visible point.
 #pragma once
 
 #include "reference/lights/lights.h"
@@ -39,12 +39,12 @@ private:
     std::unique_ptr<Tree> tree_;
 };
 
-// Area [m^2] that the disc about a point of the parallelogram, in its plane, shares with it; at least 1/1024 of the
-// disc's.
+// Area [m^2] of the part of a disc, in the parallelogram's plane and centred on it, that lies within the parallelogram;
+// at least 1/1024 of the disc's.
 [[nodiscard]] double discOnQuad(const Quad& quad, const glm::dvec3& center, double radius);
 
 // Radiance [W/(m^2 sr)] that the photons about x add to the pixel: f * sum of power / A, where A is pi r^2 or, on a
-// parallelogram, what of the disc lies on it. Counted are photons within r that landed on the same side of the same
+// parallelogram, the area of the disc within it. Counts photons within r that landed on the same side of the same
 // surface, nearly in its plane, on paths of at most maxDepth segments.
 [[nodiscard]] glm::dvec3 gatherRadiance(const PhotonMap& map, const VisiblePoint& x, double radius,
                                         std::uint32_t maxDepth);

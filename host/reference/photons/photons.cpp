@@ -20,8 +20,8 @@ bool isWanted(PhotonKind kind, const PhotonPass& pass) {
     return (pass.kinds & kindBit(kind)) != 0;
 }
 
-// Survives with probability p = the largest channel, at most 1, and then carries power * reflected / p: right on
-// average.
+// Survives with probability p = the largest channel, at most 1, and then carries power * reflected / p, which keeps the
+// mean.
 bool survives(const glm::dvec3& reflected, double x, glm::dvec3& power) {
     const double p = std::min(1.0, std::max({reflected.x, reflected.y, reflected.z}));
     if (x >= p) {
@@ -86,13 +86,13 @@ PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, 
     const double cosIn = incidentCosine(ray.direction, surface.normal);
     const double probability = lobeProbability(lobe, diffuse, cosIn);
     std::optional<BsdfSample> sample;
-    double taken = 1 - probability; // of the part that is taken
+    double taken = 1 - probability; // of the chosen part
     if (xy.y < probability) {
         const ShadingNormals normals{surface.normal, surface.geometricNormal};
         const PickedLobe picked = pickLobe(*lobe, cosIn, xy.y / probability);
         sample = sampleLobe(picked.lobe, normals, -ray.direction, uv, xy.y, Transport::Flux);
         taken = probability * picked.probability;
-        if (path.kind == PhotonKind::Direct) { // may become a caustic
+        if (path.kind == PhotonKind::Direct) { // it may become a caustic photon
             scatter.path.kind = PhotonKind::Caustic;
         }
     } else if (isWanted(PhotonKind::Indirect, pass)) {
@@ -111,7 +111,7 @@ PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, 
 }
 
 std::vector<Photon> tracePhotons(const World& world, const PhotonPass& pass) {
-    // Each block of photons fills its own list: joined in order, they do not depend on the threads.
+    // Each block of photons fills its own list; joined in order, the result does not depend on the threads.
     constexpr std::size_t kBlock = 1024;
     const std::size_t count = pass.count;
     std::vector<std::vector<Photon>> blocks((count + kBlock - 1) / kBlock);

@@ -1,5 +1,5 @@
-// A mixture of the targets' cones, or discs, each weighted by its size: its density at a ray is the sum over the
-// targets that the ray is in, divided by the sum of all sizes.
+// A mixture of the targets' cones, or discs, each weighted by its size: the density of a ray is the number of targets
+// that contain it, divided by the sum of all sizes.
 #include "reference/photons/projection_map.h"
 
 #include "reference/photons/photons.h"
@@ -15,7 +15,7 @@ namespace {
 
 using std::numbers::pi;
 
-// From a point of a light: the directions that meet a sphere or, where these are as many, all that it shines into.
+// Directions from a point of a light that meet a sphere; all emitted directions if the sphere's cone is no smaller.
 struct Cone {
     glm::dvec3 axis{0}; // unit
     double cosine = -1; // of the half-angle
@@ -30,7 +30,7 @@ Cone coneAround(const BoundingSphere& target, const Light& light, const glm::dve
     const double distance = glm::length(way);
     const double sine = target.radius / distance;
     const double cosine = std::sqrt(std::max(0.0, 1 - sine * sine));
-    // From a point inside the sphere, or almost, it is all around
+    // From a point inside the sphere, or almost, every direction meets it
     if (!(target.radius * 1.0001 < distance) || !(cosine > emissionCosine(light))) {
         return {.cosine = emissionCosine(light), .everything = true};
     }
@@ -45,7 +45,7 @@ glm::dvec3 directionIn(const Cone& cone, glm::dvec2 uv) {
     return sine * std::cos(phi) * basis.tangent + sine * std::sin(phi) * basis.bitangent + z * cone.axis;
 }
 
-// Across parallel light: the lines that meet a sphere.
+// For parallel light: the lines that meet a sphere.
 struct Disc {
     glm::dvec3 center{0};
     double radius = 0; // [m]
@@ -79,8 +79,8 @@ double totalSize(const std::vector<Part>& parts) {
     return total;
 }
 
-// How much likelier the light's own choice is than the mixture's: the weight of a photon. `own`: the density of the
-// light's choice; `within(i)`: is the ray in part i?
+// Weight of a photon: density of the light's own sampling over that of the mixture. `own`: the light's density;
+// `within(i)`: true if the ray is in part i.
 template <class Part, class Within>
 double weight(const std::vector<Part>& parts, double own, const Within& within) {
     double mixture = 0;
@@ -117,7 +117,7 @@ Aimed aimAcross(const World& world, const Light& light, LightRay ray, double cho
     std::vector<Disc> discs;
     for (const BoundingSphere& target : world.targets) {
         const double area = pi * target.radius * target.radius;
-        if (area * ray.pdfOrigin >= 1) { // as wide as the light's own disc
+        if (area * ray.pdfOrigin >= 1) { // no narrower than the light's own disc
             discs.push_back({.area = 1 / ray.pdfOrigin, .everything = true});
         } else {
             discs.push_back({.center = target.center, .radius = target.radius, .area = area});
@@ -149,7 +149,7 @@ Emission emitAimedPhoton(const World& world, std::uint32_t photon, const PhotonP
                                     : aimFromPoint(world, light, own, choice.y, uDirection);
     aimed.power /= light.pmf * pass.count;
     if (aimed.power == glm::dvec3(0)) {
-        aimed.ray.tMax = 0; // the light does not shine that way
+        aimed.ray.tMax = 0; // the light does not emit in that direction
     }
     return {.ray = aimed.ray, .power = aimed.power, .light = index};
 }

@@ -1,5 +1,5 @@
-// Caustic photons go where something specular is: towards World::targets, as cones from a point of a light or as discs
-// across parallel light [Jensen01].
+// Aims caustic photons at specular objects, World::targets: by cones from a point of a light, or discs perpendicular to
+// parallel light [Jensen01].
 #pragma once
 
 #include "reference/lights/lights.h"
@@ -8,8 +8,8 @@
 
 namespace hyalite::reference {
 
-// As emitPhoton, but of the rays towards the targets only; there is one target at least. The flux of a photon is what
-// the light sends per unit of density along its ray; 0 where the light does not shine.
+// Like emitPhoton, but only rays towards the targets; needs at least one target. The flux of a photon is the light's
+// emission along its ray divided by the sampling density; 0 where the light does not emit.
 [[nodiscard]] Emission emitAimedPhoton(const World& world, std::uint32_t photon, const PhotonPass& pass,
                                        double shift = 0);
 

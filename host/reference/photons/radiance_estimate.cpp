@@ -18,16 +18,16 @@ constexpr double kBeta = 1.953;
 constexpr double kLeastDisc = 1.0 / 1024; // [largest radius]
 constexpr std::size_t kFirstCheck = 8;    // photons
 
-// A photon that was found, as the estimate sees it.
+// A photon found, as the estimate uses it.
 struct Found {
     double distance = 0; // [m]
     double height = 0;   // off the tangent plane [m]
-    glm::dvec3 power{0}; // what of it reaches the diffuse part [W]
+    glm::dvec3 power{0}; // the part that reaches the diffuse surface [W]
 };
 
 struct Disc {
     double radius = 0;     // [m]
-    std::size_t count = 0; // photons nearer than that
+    std::size_t count = 0; // photons within that radius
 };
 
 std::vector<Found> findPhotons(const PhotonMap& map, const VisiblePoint& x, const Receiver& receiver,
@@ -48,7 +48,7 @@ std::vector<Found> findPhotons(const PhotonMap& map, const VisiblePoint& x, cons
     return found;
 }
 
-// The discs that are compared, and the density in each.
+// The nested discs that are compared, and the density in each.
 struct Growth {
     std::vector<Disc> discs;
     std::vector<double> densities;
@@ -72,7 +72,7 @@ Growth grow(const std::vector<Found>& found, const Disc& whole, double leastRadi
 
 Disc stopAtEdge(const std::vector<Found>& found, const Disc& whole, const RadianceEstimateOptions& options) {
     const auto [discs, densities] = grow(found, whole, kLeastDisc * options.radius);
-    std::size_t start = 0; // from here on the density rises, or does not
+    std::size_t start = 0; // from this disc on the density rises monotonically, or falls
     for (std::size_t i = 1; i < discs.size(); ++i) {
         const bool turns = i >= 2 && (densities[i] > densities[i - 1]) != (densities[i - 1] > densities[i - 2]);
         if (turns) {
@@ -94,7 +94,7 @@ double filterWeight(const RadianceEstimateOptions& options, double d, double r) 
         return 1 - d / (options.coneConstant * r);
     case PhotonFilter::Gaussian:
         return kAlpha * (1 - (1 - std::exp(-kBeta * d * d / (2 * r * r))) / (1 - std::exp(-kBeta)));
-    case PhotonFilter::Custom: // has no twin: render() refuses it
+    case PhotonFilter::Custom: // without a twin: render() rejects it
     case PhotonFilter::None:
         break;
     }
@@ -106,7 +106,7 @@ double meanFilterWeight(const RadianceEstimateOptions& options) {
     case PhotonFilter::Cone:
         return 1 - 2 / (3 * options.coneConstant);
     case PhotonFilter::Gaussian: {
-        // With u = d^2 / r^2, which is even on [0, 1] over a disc
+        // With u = d^2 / r^2, which is uniform on [0, 1] over a disc
         const double meanExponential = 2 / kBeta * (1 - std::exp(-kBeta / 2));
         return kAlpha * (1 - (1 - meanExponential) / (1 - std::exp(-kBeta)));
     }

@@ -8,29 +8,27 @@ namespace hyalite::reference {
 using hyalite::PhotonFilter;
 
 struct RadianceEstimateOptions {
-    std::size_t nearest = 50;   // photons that are looked for, at least 2
-    double radius = 0;          // none farther away [m]
-    std::uint32_t kinds = 0;    // bit PhotonKind is set for every kind that counts
-    std::uint32_t maxDepth = 0; // segments of the photon's path and the camera's together
+    std::size_t nearest = 50;   // number of photons to find, at least 2
+    double radius = 0;          // largest search radius [m]
+    std::uint32_t kinds = 0;    // bit PhotonKind is set for every kind to count
+    std::uint32_t maxDepth = 0; // limit on the segments of photon and camera path together
     PhotonFilter filter = PhotonFilter::None;
     double coneConstant = 1.1; // the cone's radius over the disc's, >= 1
-    double maxChange = 0;      // relative change of the density at which discs stop to grow; 0: they do not
+    double maxChange = 0;      // relative change of the density at which the disc stops growing; 0: it never does
 };
 
 struct RadianceEstimate {
     glm::dvec3 radiance{0}; // added to the pixel [W/(m^2 sr)]
-    double radius = 0;      // of the disc it comes from [m]
+    double radius = 0;      // of the disc used [m]
 };
 
-// Looks for the nearest photons that landed on the visible point's side of a surface. If as many as asked for are
-// within the radius, the farthest of them ends the disc and is left out, else the disc has the radius. Photons off the
-// tangent plane by more than a quarter of the disc's radius do not count. A disc's radius is never below 1/1024 of the
-// largest.
-//
-// With maxChange, discs of 8 photons, then a quarter more each time (rounded up), are compared, each ended by the next
-// photon. Where the density has risen, or has fallen, from one to the next all the way from some disc on, and by more
-// than maxChange of what it was in that one, that disc is taken. Density here is the channels' sum of the flux that is
-// near the plane, as seen from the whole disc, over the square of the radius.
+// Finds the nearest photons that landed on the visible point's side of a surface. If the radius holds the requested
+// number, the farthest of them sets the disc's radius and is excluded; otherwise the disc has the full radius. Photons
+// farther from the tangent plane than a quarter of the disc's radius do not count. A disc's radius is at least 1/1024
+// of the largest. With maxChange, nested discs are compared: the first holds 8 photons, each next a quarter more
+// (rounded up), and the next photon sets the disc's radius. If the density rises, or falls, monotonically from some
+// disc on, by more than maxChange of the density in that disc, the estimate uses that disc. Density here is the flux
+// near the plane, as seen from the whole disc and summed over the channels, divided by the square of the radius.
 [[nodiscard]] RadianceEstimate estimateRadiance(const PhotonMap& map, const VisiblePoint& x,
                                                 const RadianceEstimateOptions& options);
 

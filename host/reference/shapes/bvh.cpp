@@ -10,7 +10,7 @@ namespace hyalite::reference {
 Bvh::Bvh(const std::vector<Box>& boxes) : items_(boxes.size()) {
     std::iota(items_.begin(), items_.end(), 0U);
     if (!boxes.empty()) {
-        nodes_.reserve(boxes.size()); // leaves hold two boxes or more, but for a single one
+        nodes_.reserve(boxes.size()); // leaves hold at least two boxes, unless there is only one
         build(boxes, 0, static_cast<std::uint32_t>(boxes.size()));
     }
 }
@@ -44,9 +44,9 @@ void Bvh::build(const std::vector<Box>& boxes, std::uint32_t begin, std::uint32_
 }
 
 bool Bvh::meets(const Ray& ray, const glm::dvec3& inverse, double tMin, const Box& box) {
-    // Three roundings (subtraction, reciprocal, product) on each side, and as many in the intersections with what the
-    // box holds: widen both ends by more than their bound, so that no box is missed. A NaN (0 times infinity: the ray
-    // runs in a face) fails both comparisons and clips nothing.
+    // Three roundings (subtraction, reciprocal, product) on each side, and as many in the intersections with the box's
+    // contents: widen both ends by more than their bound, so that no box is missed. A NaN (0 times infinity: the ray
+    // lies in a face) fails both comparisons and clips nothing.
     constexpr double kWiden = 16 * 0x1p-53;
     double enter = tMin;
     double leave = ray.tMax;

@@ -1,5 +1,5 @@
-// Bounding volume hierarchy over boxes: binary, split at the median of the longest axis. Plain on purpose: it shares
-// nothing with the tree that the kernels walk.
+// Bounding volume hierarchy over boxes: binary, split at the median of the longest axis. Deliberately simple: it shares
+// nothing with the tree that the kernels traverse.
 #pragma once
 
 #include "reference/shapes/ray.h"
@@ -27,8 +27,8 @@ public:
     Bvh() = default;
     explicit Bvh(const std::vector<Box>& boxes);
 
-    // Calls visit(index of a box) for every box that the ray may be in at some t in [tMin, ray.tMax], nearer ones
-    // mostly first. The visitor may lower ray.tMax; where it returns false the walk ends.
+    // Calls visit(index of a box) for every box that the ray may cross at some t in [tMin, ray.tMax], mostly nearer
+    // boxes first. The visitor may lower ray.tMax; the traversal ends when it returns false.
     template <typename Visit>
     void walk(Ray& ray, Visit&& visit, double tMin = 0) const;
 

@@ -16,7 +16,7 @@ struct LeafCrossing {
     std::size_t leaf = 0;
 };
 
-// The state where the ray starts, and all that changes it ahead, ascending in t.
+// The state at the start of the ray, and all later crossings, ascending in t.
 struct Course {
     LeafSet start;
     std::vector<LeafCrossing> ahead;
@@ -41,7 +41,7 @@ LeafSet flipped(const LeafSet& set, std::size_t leaf) {
     return LeafSet(set).flip(leaf);
 }
 
-// The leaf whose surface is met between two states of different truth.
+// The leaf whose surface is hit between two states, one inside the solid and one outside.
 std::size_t decidingLeaf(const CsgTree& tree, const LeafSet& before, const LeafSet& after) {
     const LeafSet changed = before ^ after;
     const bool wasInside = tree.contains(before);

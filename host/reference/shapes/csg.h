@@ -1,5 +1,5 @@
-// Constructive solid geometry the classical way [Roth82]: the crossings of all leaves along the line, sorted, and what
-// the tree of operations says about each stretch between them.
+// Classical constructive solid geometry [Roth82]: sorts the crossings of all leaves along the line, and evaluates the
+// tree of operations on each interval between them.
 #pragma once
 
 #include "reference/shapes/ray.h"
@@ -13,24 +13,24 @@
 
 namespace hyalite::reference {
 
-// Which leaves a point is inside of.
+// The leaves that contain a point.
 using LeafSet = std::bitset<kMostCsgLeaves>;
 
 struct CsgTree {
     struct Node {
         CsgStep step = CsgStep::Leaf;
-        std::size_t left = 0;  // node; of a leaf: which
+        std::size_t left = 0;  // node; for a leaf: its index
         std::size_t right = 0; // node
     };
     struct Leaf {
         Solid solid;
-        bool reversed = false; // under an odd number of right operands of differences: its inside is what is taken away
+        bool reversed = false; // under an odd number of right operands of differences: its inside is subtracted
     };
 
-    // `leaves` are those of the program, in its order. Throws Error(BadInput) where they are none or too many for it.
+    // `solids` are the leaves of the program, in its order. Throws Error(BadInput) if there are none, or too many.
     CsgTree(const Csg& csg, std::vector<Solid> solids, const SourceLocation& where);
 
-    // Is a point inside that is inside these leaves?
+    // True if a point inside exactly these leaves is inside the solid.
     [[nodiscard]] bool contains(const LeafSet& inside) const { return contains(nodes.size() - 1, inside); }
 
     std::vector<Node> nodes; // the root comes last
@@ -45,15 +45,14 @@ private:
 struct CsgHit {
     ShapeHit at;          // on the leaf
     std::size_t leaf = 0; // of the tree
-    double spread = 0;    // [m] how far apart along the ray the crossings are that count as one place with this one
+    double spread = 0;    // [m] distance along the ray between the crossings that count as one place with this one
 };
 
-// The first place where the ray enters or leaves the solid.
-//
-// Crossings count as one place that lie within kPlace * max(t, largest |coordinate| of the ray's origin) behind the
-// first of them: what coincides in the scene is told apart by rounding only, and must not show. The surface met is that
-// of the first leaf crossed in the same sense as the solid and which decides: flipping it alone before or after the
-// place flips the solid. Of this leaf's crossings in the place it is the last.
+// The first place where the ray enters or leaves the solid. Crossings within kPlace * max(t, largest |coordinate| of
+// the ray's origin) behind the first one count as one place: only rounding separates surfaces that coincide in the
+// scene, and that must not show. The surface hit is that of the first leaf that is crossed in the same sense as the
+// solid and decides, meaning that flipping it alone before or after the place flips the solid. The hit is the last of
+// this leaf's crossings in the place.
 inline constexpr double kPlace = 0x1p-18;
 [[nodiscard]] std::optional<CsgHit> intersectCsg(const Ray& ray, const CsgTree& tree);
 

@@ -14,8 +14,8 @@ using glm::dvec3;
 
 // Both roots, ascending, anywhere on the line.
 std::optional<std::array<double, 2>> sphereRoots(const Ray& ray, const Sphere& sphere) {
-    // t^2 - 2 b t + c = 0. The discriminant is taken from the distance of ray and centre, which stays exact where
-    // b^2 - c would lose all digits (a small sphere far away); the smaller root from c / q, not from b - sqrt.
+    // t^2 - 2 b t + c = 0. The discriminant comes from the distance between ray and centre, which stays accurate where
+    // b^2 - c would lose all digits (a small sphere far away); the smaller root comes from c / q, not from b - sqrt.
     const dvec3 f = ray.origin - sphere.center;
     const double b = -glm::dot(f, ray.direction);
     const dvec3 closest = f + b * ray.direction;

@@ -14,7 +14,7 @@ namespace hyalite::reference {
 [[nodiscard]] std::optional<ShapeHit> intersectQuad(const Ray& ray, const Quad& quad);
 [[nodiscard]] std::optional<ShapeHit> intersectDisk(const Ray& ray, const Disk& disk);
 
-// Of the solids: a line that touches a sphere enters and leaves it at the same t.
+// Crossings of the solids: a tangent line enters and leaves a sphere at the same t.
 [[nodiscard]] Crossings crossings(const Sphere& sphere, const Ray& line);
 [[nodiscard]] Crossings crossings(const Plane& plane, const Ray& line); // the half-space behind
 

@@ -14,7 +14,7 @@ struct Passage { // of the line through one triangle
     int turn = 0; // +1: enters the front, -1: leaves it
 };
 
-// All of them, ascending in t.
+// All passages, ascending in t.
 std::vector<Passage> passages(const Instance& instance, const Ray& world) {
     std::vector<Passage> result;
     Ray endless = instance.map.rayToObject({.origin = world.origin, .direction = world.direction});
@@ -102,7 +102,7 @@ SurfacePoint surfaceAt(const Instance& instance, const Ray& ray, const ShapeHit&
     }
     point.position = instance.map.pointToWorld(w * corners[0] + hit.u * corners[1] + hit.v * corners[2]);
     const glm::dvec3 area = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-    if (area == glm::dvec3(0)) { // only rounding makes it visible: it closes a gap between its neighbours
+    if (area == glm::dvec3(0)) { // degenerate, hit only by rounding: it closes a gap between its neighbours
         point.geometricNormal = -ray.direction;
         point.normal = -ray.direction;
         point.offset = surfaceOffset(glm::length(point.position));

@@ -1,4 +1,4 @@
-// Triangle meshes, and their instances: a mesh has one tree in its own space, and rays are brought there.
+// Triangle meshes and their instances: a mesh has one tree in its object space, and rays are transformed into it.
 #pragma once
 
 #include "reference/shapes/affine.h"
@@ -22,15 +22,15 @@ struct MeshTree {
 };
 
 struct Instance {
-    std::shared_ptr<const MeshTree> tree; // all instances of a mesh hold the same
+    std::shared_ptr<const MeshTree> tree; // shared by all instances of a mesh
     Affine map;
 };
 
-// The nearest hit, of equally near ones that of the first triangle; or any, where that is all that is asked.
+// The nearest hit (of equally near hits, that of the first triangle), or any hit.
 enum class Wanted { Nearest, Any };
 [[nodiscard]] std::optional<ShapeHit> intersectInstance(const Ray& ray, const Instance& instance, Wanted wanted);
 
-// Of a closed mesh as a solid: inside is where the winding number, the sum of the crossings on one side, is not 0.
+// A closed mesh as a solid: a point is inside if the winding number, the sum of the crossings on one side, is not 0.
 [[nodiscard]] Crossings crossings(const Instance& instance, const Ray& line);
 [[nodiscard]] bool isInside(const Instance& instance, const glm::dvec3& point);
 

@@ -14,8 +14,8 @@ namespace {
 using glm::dmat3;
 using glm::dvec3;
 
-// A solution of A x = c by elimination with complete pivoting; what no equation fixes is 0, and equations that
-// contradict the others are left out.
+// A solution of A x = c by elimination with complete pivoting; undetermined unknowns are 0, and equations that
+// contradict the others are ignored.
 dvec3 solveLoosely(dmat3 A, dvec3 c) {
     constexpr double kZero = 1e-9; // of the largest element: a direction in which q does not curve, up to rounding
     std::array<int, 3> unknowns{0, 1, 2}; // by column
@@ -61,7 +61,7 @@ dvec3 solveLoosely(dmat3 A, dvec3 c) {
     return x;
 }
 
-// a b - c d right to two ulps, by Kahan [Jeannerod13].
+// a b - c d, accurate to two ulps, by Kahan's algorithm [Jeannerod13].
 double differenceOfProducts(double a, double b, double c, double d) {
     const double cd = c * d;
     return std::fma(a, b, -cd) + std::fma(-c, d, cd);
@@ -128,10 +128,10 @@ BoxRange withinBox(const Bounds& box, const dvec3& origin, const dvec3& directio
     return result;
 }
 
-// Steps along the gradient onto the surface of q. Where that vanishes (the apex of a cone), a step is no longer than
-// the curvature allows.
+// Steps along the gradient onto the surface of q. Where the gradient vanishes (the apex of a cone), the curvature
+// limits the step.
 dvec3 ontoSurface(const WorldQuadric& quadric, dvec3 y) {
-    constexpr int kSteps = 2; // the start is off by rounding only, and Newton's steps square that
+    constexpr int kSteps = 2; // the start is off by rounding only, and Newton's method converges quadratically
     const double curvature = frobeniusNorm(quadric.A);
     for (int step = 0; step < kSteps; ++step) {
         const double q = quadric.value(y);
@@ -144,8 +144,8 @@ dvec3 ontoSurface(const WorldQuadric& quadric, dvec3 y) {
     return y;
 }
 
-// How far the surface of q may lie from where it is computed to lie, by the rounding of q itself: dq / |grad q|, and
-// sqrt(dq / curvature) at most, which holds where the gradient vanishes.
+// Bound on the error in the computed surface of q due to rounding of q itself: dq / |grad q|, limited by sqrt(dq /
+// curvature), which holds where the gradient vanishes.
 double formOffset(const WorldQuadric& quadric, const dvec3& y) {
     const double reach = glm::length(y);
     const double curvature = frobeniusNorm(quadric.A);
@@ -170,8 +170,8 @@ WorldQuadric::WorldQuadric(const Quadric& quadric)
     const dvec3 objectB{q.d, q.g, q.i};
     const Affine map(quadric.objectToWorld);
     const auto valueAt = [&](const dvec3& p) { return glm::dot(p, objectA * p + 2.0 * objectB) + q.j; };
-    // Where the terms of q are small: the middle of an ellipsoid, the apex of a cone; not that of what is nearly a
-    // paraboloid, which lies far from the surface. Of either the nearest point of the clip box.
+    // A point where the terms of q are small: the centre of an ellipsoid, the apex of a cone. For a near-paraboloid
+    // that point lies far from the surface, so it is clamped to the clip box.
     const dvec3 middle = glm::clamp(solveLoosely(objectA, -objectB), clip.low, clip.high);
     const dvec3 origin = glm::clamp(dvec3(0), clip.low, clip.high);
     objectCenter = std::abs(valueAt(middle)) <= std::abs(valueAt(origin)) ? middle : origin;
@@ -183,7 +183,7 @@ WorldQuadric::WorldQuadric(const Quadric& quadric)
 }
 
 Crossings crossings(const WorldQuadric& quadric, const Ray& line) {
-    // s counts from the line's nearest point to the centre: that keeps the digits of a ray from far away.
+    // s is measured from the line's point nearest to the centre, which keeps precision for a ray from far away.
     const dvec3 f = line.origin - quadric.center;
     const double start = -glm::dot(f, line.direction);
     const dvec3 nearest = f + start * line.direction;
@@ -229,7 +229,7 @@ SurfacePoint surfaceAt(const WorldQuadric& quadric, const Ray& ray, const ShapeH
     double shapeOffset = 0;
     if (hit.part == 0) {
         y = ontoSurface(quadric, y);
-        // At the apex of a cone no side is better than that of the ray.
+        // At the apex of a cone the gradient vanishes: use the side of the ray.
         point.geometricNormal = unitOr(quadric.halfGradient(y), -ray.direction);
         shapeOffset = formOffset(quadric, y);
     } else {

@@ -1,5 +1,5 @@
-// Quadrics in world space: not the ray is transformed but the form, Q' = M^-T Q M^-1 [Goldman83], written about a point
-// near the surface; then a quadratic in t, and slabs for the clip box.
+// Quadrics in world space: transforms the quadratic form instead of the ray, Q' = M^-T Q M^-1 [Goldman83], about a
+// point near the surface; then solves a quadratic in t, with slabs for the clip box.
 #pragma once
 
 #include "reference/shapes/affine.h"
@@ -22,14 +22,14 @@ struct WorldQuadric {
     glm::dmat3 A;      // q(center + y) = y^T A y + 2 b.y + j
     glm::dvec3 b;
     double j = 0;
-    glm::dvec3 objectCenter; // the same point as center, in object space
-    glm::dmat3 toObject;     // object space from world directions
+    glm::dvec3 objectCenter; // center in object space
+    glm::dmat3 toObject;     // from world directions to object space
     Bounds clip;             // object space
-    bool open = false;       // the clip box only cuts the surface of q, and nothing closes it
+    bool open = false;       // the clip box only cuts the surface of q and does not close it
 };
 
-// Of a solid the complete list; of an open surface where the line passes it within the clip box, entering where it
-// comes from the side of q > 0.
+// The complete list for a solid. For an open surface, where the line crosses it within the clip box; entering if the
+// line comes from the side q > 0.
 [[nodiscard]] Crossings crossings(const WorldQuadric& quadric, const Ray& line);
 
 // Nothing is inside an open surface.

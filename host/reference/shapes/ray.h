@@ -1,5 +1,5 @@
-// What all shapes say about a ray: where it meets them, where the line that it lies on passes their surface, and how
-// far a ray that leaves a surface must start from it.
+// Common to all shapes: where a ray hits them, where its line crosses their surface, and how far from a surface a
+// leaving ray must start.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@ namespace hyalite::reference {
 inline constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 struct Ray {
-    glm::dvec3 origin;       // [m], already moved off the surface it leaves
+    glm::dvec3 origin;       // [m], already moved off the surface that the ray leaves
     glm::dvec3 direction;    // unit in the world; of any length in an object's own space
     double tMax = kInfinite; // the ray ends here [m]
 };
 
 // Where a ray meets a shape.
 struct ShapeHit {
-    double t = 0;           // [m], 0 < t <= tMax where not said otherwise
+    double t = 0;           // [m], 0 < t <= tMax unless stated otherwise
     double u = 0;           // quad, disk: along the first edge or axis; triangle: weight of the second corner
     double v = 0;           // quad, disk: along the second edge or axis; triangle: weight of the third corner
     std::uint32_t part = 0; // which surface of the shape; quadric: 0 that of q, 1..6 the clip box's faces (low x, high
@@ -30,28 +30,28 @@ struct ShapeHit {
     return t > 0 && t <= ray.tMax;
 }
 
-// Where the line that a ray lies on passes a solid's surface. A solid's complete list is ascending in t, anywhere on
-// the line, and begins with an entering one, then leaving and entering take turns up to a leaving one: what is inside
-// without end is entered at t = -infinity, left at t = infinity.
+// Where the line of a ray crosses a solid's surface. A solid's complete list covers the whole line, ascends in t, and
+// alternates between entering and leaving: it starts with entering and ends with leaving. An unbounded inside is
+// entered at t = -infinity or left at t = infinity.
 struct Crossing {
     ShapeHit at;
     bool entering = false;
 };
 using Crossings = std::vector<Crossing>;
 
-// A point of a shape's surface; normals are on its front, whichever side the ray came from.
+// A point on a shape's surface; normals are on its front, regardless of the side of the ray.
 struct SurfacePoint {
     glm::dvec3 position;        // world [m]
     glm::dvec3 geometricNormal; // unit
     glm::dvec3 normal;          // unit, for shading
-    double offset = 0;          // distance [m] that a leaving ray starts from the surface
-    glm::dvec2 uv{0};           // for textures; (0, 0) where the shape has no coordinates
+    double offset = 0;          // distance [m] from the surface at which a leaving ray starts
+    glm::dvec2 uv{0};           // for textures; (0, 0) for a shape without coordinates
 };
 
-// Distance [m] that a ray's origin is moved along the normal, away from the surface it leaves. `scale` [m] bounds the
-// sum of the lengths that the point was computed from (corner and edges, centre and radius), whose rounding errors add
-// up to at most 16 half-ulps of it: 8 in the point itself, 8 in the next intersection with the same shape. Four times
-// that keeps the next root on the right side of zero.
+// Distance [m] by which a ray's origin is moved along the normal, away from the surface it leaves. `scale` [m] bounds
+// the sum of the lengths that the point was computed from (corner and edges, centre and radius), whose rounding errors
+// add up to at most 16 half-ulps of it: 8 in the point itself, 8 in the next intersection with the same shape. Four
+// times that keeps the next root on the right side of zero.
 [[nodiscard]] constexpr double surfaceOffset(double scale) {
     return 64 * 0x1p-53 * scale;
 }

@@ -1,4 +1,4 @@
-// The solids: shapes with an inside, each of which can be a leaf of a CSG tree.
+// Solids: shapes with an inside, which can be leaves of a CSG tree.
 #pragma once
 
 #include "reference/shapes/geometry.h"
@@ -13,10 +13,10 @@ namespace hyalite::reference {
 
 using Solid = std::variant<Sphere, Plane, WorldQuadric, WorldTorus, Instance>;
 
-// The nearest hit on the solid's surface, from either side; or any, where that is all that is asked.
+// The nearest hit on the solid's surface, from either side, or any hit.
 [[nodiscard]] std::optional<ShapeHit> intersectSolid(const Ray& ray, const Solid& solid, Wanted wanted);
 
-// The complete list (see Crossing), strictly ascending in t: without intervals and gaps of no length.
+// The complete list (see Crossing), strictly ascending in t: empty intervals and gaps are removed.
 [[nodiscard]] Crossings crossingsOf(const Solid& solid, const Ray& line);
 
 [[nodiscard]] bool isInsideOf(const Solid& solid, const glm::dvec3& point);

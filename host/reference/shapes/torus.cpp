@@ -13,15 +13,15 @@ namespace {
 using glm::dvec3;
 using Complex = std::complex<double>;
 
-// All roots of s^4 + c[2] s^2 + c[1] s + c[0], up to rounding; those of multiple roots lie around them.
+// All roots of s^4 + c[2] s^2 + c[1] s + c[0], up to rounding; multiple roots appear as clusters around the true root.
 std::array<Complex, 4> quarticRoots(const std::array<double, 3>& c) {
-    // Each root takes Newton's step, corrected for the pull of the others.
+    // Each root takes a Newton step, corrected for the other roots.
     const double radius = 1 + std::max({std::abs(c[0]), std::abs(c[1]), std::abs(c[2])}); // Cauchy's bound
     std::array<Complex, 4> roots{};
-    for (std::size_t i = 0; i < roots.size(); ++i) { // on a circle, not symmetric to the real axis
+    for (std::size_t i = 0; i < roots.size(); ++i) { // on a circle, not symmetric about the real axis
         roots.at(i) = std::polar(radius / 2, 0.4 + 1.5 * static_cast<double>(i));
     }
-    constexpr int kIterations = 100; // usually ten; multiple roots are approached by halves
+    constexpr int kIterations = 100; // usually ten suffice; at multiple roots the error only halves per step
     for (int iteration = 0; iteration < kIterations; ++iteration) {
         double moved = 0;
         for (Complex& root : roots) {
@@ -43,14 +43,15 @@ std::array<Complex, 4> quarticRoots(const std::array<double, 3>& c) {
     return roots;
 }
 
-// A line in the torus's space by the length s from its point nearest to the centre, in units of the major radius.
+// A line in the torus's object space, parameterised by the distance s from its point nearest to the centre, in units of
+// the major radius.
 struct TorusLine {
     dvec3 nearest;
     dvec3 direction; // unit
     double minor = 0;
 
     struct Value {
-        double value = 0; // squared distance from the circle in the tube less minor^2: negative inside
+        double value = 0; // squared distance from the tube's centre circle minus minor^2: negative inside
         double slope = 0; // along s
     };
     [[nodiscard]] Value at(double s) const {
@@ -59,8 +60,8 @@ struct TorusLine {
         const double rhoSlope = rho > 0 ? (p.x * direction.x + p.z * direction.z) / rho : 0;
         return {(rho - 1) * (rho - 1) + p.y * p.y - minor * minor, 2 * ((rho - 1) * rhoSlope + p.y * direction.y)};
     }
-    // With |p|^2 = s^2 + |nearest|^2 (nearest is across the direction) the torus (|p|^2 + 1 - minor^2)^2 =
-    // 4 (|p|^2 - y^2) has no cubic term.
+    // With |p|^2 = s^2 + |nearest|^2 (nearest is perpendicular to the direction) the torus (|p|^2 + 1 - minor^2)^2 = 4
+    // (|p|^2 - y^2) has no cubic term.
     [[nodiscard]] std::array<double, 3> quartic() const {
         const double k = glm::dot(nearest, nearest) + 1 - minor * minor;
         return {k * k - 4 * (nearest.x * nearest.x + nearest.z * nearest.z), 8 * nearest.y * direction.y,
@@ -68,12 +69,12 @@ struct TorusLine {
     }
 };
 
-// The root between two places of opposite signs: Newton's steps where they stay inside and converge, halving where not.
+// The root between two places of opposite sign: Newton steps while they stay inside and converge, bisection otherwise.
 double polish(const TorusLine& line, double low, double high) {
     const bool lowInside = line.at(low).value <= 0;
     double s = (low + high) / 2;
     double lastStep = high - low;
-    constexpr int kSteps = 200; // halving alone needs some sixty
+    constexpr int kSteps = 200; // bisection alone needs about sixty
     for (int i = 0; i < kSteps; ++i) {
         const auto [value, slope] = line.at(s);
         ((value <= 0) == lowInside ? low : high) = s;
@@ -112,7 +113,7 @@ Crossings crossings(const WorldTorus& torus, const Ray& line) {
     std::array<double, 4> roots{};
     std::ranges::transform(quarticRoots(unit.quartic()), roots.begin(), [](const Complex& z) { return z.real(); });
     std::ranges::sort(roots);
-    // Between two roots the sign is the same all along, so the middle tells it.
+    // The sign is constant between two roots, so the midpoint determines it.
     const std::array places{-2 * reach, (roots[0] + roots[1]) / 2, (roots[1] + roots[2]) / 2, (roots[2] + roots[3]) / 2,
                             2 * reach};
     Crossings result;

@@ -1,5 +1,5 @@
-// The torus, a quartic along a line: Aberth's iteration finds all its roots at once [Aberth73]; the signs between them
-// tell which of them are crossings, and these are polished on the distance from the tube itself.
+// The torus, a quartic along a line: Aberth's iteration finds all roots at once [Aberth73]; the signs between them
+// determine which are crossings, and these are refined on the distance from the tube itself.
 #pragma once
 
 #include "reference/shapes/affine.h"
@@ -18,7 +18,7 @@ struct WorldTorus {
     Affine map;
 };
 
-// Complete; a line that only touches the torus does not cross it.
+// The complete list; a tangent line does not cross the torus.
 [[nodiscard]] Crossings crossings(const WorldTorus& torus, const Ray& line);
 [[nodiscard]] bool isInside(const WorldTorus& torus, const glm::dvec3& point);
 [[nodiscard]] SurfacePoint surfaceAt(const WorldTorus& torus, const Ray& ray, const ShapeHit& hit);

@@ -8,16 +8,16 @@ namespace hyalite::reference {
 
 namespace {
 
-// a.x b.y - a.y b.x with the sign of the exact value (zero where that is zero): a wrong sign beside a corner of many
-// triangles would count one of them too often or not at all.
+// a.x b.y - a.y b.x with the sign of the exact value (zero if that is zero): next to a vertex shared by many triangles,
+// a wrong sign would count one of them twice or not at all.
 double determinant(const glm::dvec3& a, const glm::dvec3& b) {
     const double plus = a.x * b.y;
     const double minus = a.y * b.x;
     const double difference = plus - minus;
     if (std::abs(difference) > 4 * 0x1p-53 * (std::abs(plus) + std::abs(minus))) {
-        return difference; // three roundings cannot have turned it
+        return difference; // three roundings cannot have flipped its sign
     }
-    // Kahan's way: right to two ulps [Jeannerod13].
+    // Kahan's algorithm: accurate to two ulps [Jeannerod13].
     const double error = std::fma(-a.y, b.x, minus);
     return std::fma(a.x, b.y, -minus) + error;
 }
@@ -33,7 +33,7 @@ int movedSign(double determinant, const glm::dvec3& a, const glm::dvec3& b) {
     return 0;
 }
 
-// Twice the signed areas that the line spans with the edges opposite to each corner.
+// Twice the signed areas spanned by the line and the edge opposite to each corner.
 glm::dvec3 edgeAreas(const std::array<glm::dvec3, 3>& p) {
     return {determinant(p[2], p[1]), determinant(p[0], p[2]), determinant(p[1], p[0])};
 }
@@ -81,7 +81,7 @@ std::optional<ShearedLine::Meeting> ShearedLine::meeting(const std::array<glm::d
         return std::nullopt;
     }
     const double t = (edges.x * p[0].z + edges.y * p[1].z + edges.z * p[2].z) / sum;
-    // The areas are positive where the corners go round clockwise about the axis.
+    // The areas are positive if the corners run clockwise about the axis.
     return Meeting{.t = t, .u = edges.y / sum, .v = edges.z / sum, .fromFront = (sum > 0) == (along_ > 0)};
 }
 

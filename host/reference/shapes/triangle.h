@@ -1,5 +1,5 @@
-// A line against triangles, watertight [Woop13]: what it says about an edge is the same from both of its triangles, so
-// that no ray slips between them, and a closed mesh is left as often as it is entered.
+// Watertight line-triangle intersection [Woop13]: both triangles of an edge give the same result for it, so that no ray
+// slips between them, and a line leaves a closed mesh as often as it enters it.
 #pragma once
 
 #include "reference/shapes/ray.h"
@@ -15,7 +15,7 @@ struct Triangle {
     std::array<glm::dvec3, 3> corners; // [m], counter-clockwise from the front
 };
 
-// A line with its axes turned so that it runs along its largest component, ready to be sheared onto that axis.
+// A line with axes permuted so that its largest component comes last, ready to be sheared onto that axis.
 class ShearedLine {
 public:
     explicit ShearedLine(const Ray& ray);
@@ -26,10 +26,10 @@ public:
         double v = 0; // weight of the third corner
         bool fromFront = false;
     };
-    // Edges belong to both triangles: a line through one meets at least one of them.
+    // Edges belong to both triangles: a line through an edge meets at least one of the two.
     [[nodiscard]] std::optional<Meeting> meetClosed(const Triangle& triangle) const;
-    // A line through an edge or a corner meets what its neighbour meets, moved to the side by an infinitely small
-    // (e, e^2) in the sheared plane: the same move for every triangle, so that each edge counts for one of its two.
+    // A line through an edge or a corner meets what a line displaced by an infinitesimal (e, e^2) in the sheared plane
+    // meets. The displacement is the same for every triangle, so each edge counts for exactly one of its two triangles.
     [[nodiscard]] std::optional<Meeting> meetOnce(const Triangle& triangle) const;
 
 private:

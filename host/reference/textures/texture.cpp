@@ -13,8 +13,8 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-// Cells in the world begin this share of a cell before the multiples of its edge, so that rounding does not decide the
-// colour of a surface that lies in such a plane.
+// World-space cells start this fraction of a cell before the multiples of the cell size, so that rounding does not
+// decide the colour of a surface that lies in such a plane.
 constexpr double kCheckerShift = 0x1p-10;
 
 dvec3 evaluate(const Checker& checker, const dvec2& uv, const dvec3& position) {
@@ -28,8 +28,8 @@ int wrapped(double index, int size) {
     return static_cast<int>(rest);
 }
 
-// The image repeated in both directions, v upwards from its lower edge: a weighted mean of the four texels whose
-// middles stand around the point.
+// The image repeats in both directions, with v upwards from its lower edge: bilinear interpolation of the four texels
+// whose centres surround the point.
 dvec3 evaluate(const ImageTexture& texture, const dvec2& uv, const dvec3& /*position*/) {
     const Image& image = *texture.image;
     const double x = uv.x * image.width - 0.5;

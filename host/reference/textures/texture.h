@@ -1,4 +1,4 @@
-// Textures at a point of a surface, and the materials that they colour.
+// Evaluates textures at a surface point, and applies them to materials.
 #pragma once
 
 #include "scene/model/scene.h"
@@ -10,10 +10,10 @@ namespace hyalite::reference {
 struct World;
 struct Surface;
 
-// The texture's value, in [0, 1], at surface coordinates uv and a point of the world [m].
+// The texture's value, in [0, 1], at surface coordinates uv and a world position [m].
 [[nodiscard]] glm::dvec3 evaluateTexture(const TextureModel& texture, const glm::dvec2& uv, const glm::dvec3& position);
 
-// The model of the surface's material, which it must have, with its textures multiplied in.
+// The model of the surface's material, with its textures multiplied in. The surface must have a material.
 [[nodiscard]] MaterialModel texturedModel(const World& world, const Surface& surface);
 
 } // namespace hyalite::reference

@@ -1,4 +1,4 @@
-// Rows of keys as tables of Markdown and as JSON schemas.
+// Key documentation rows as Markdown tables and JSON schemas.
 #include "base/error.h"
 #include "describe/generated_parts.h"
 #include "describe/key_text.h"
@@ -41,7 +41,7 @@ const std::array<KeyDoc, 10> kKeys{{
 
 } // namespace
 
-TEST_CASE("a table has a row for each key, in words of the scene format") {
+TEST_CASE("a table has a row for each key, in the scene format's terms") {
     CHECK(describe::keyTable(kKeys) ==
           "| key | type | unit | default | range | meaning |\n"
           "|---|---|---|---|---|---|\n"
@@ -114,7 +114,7 @@ TEST_CASE("generated text replaces what stands between its marks, and nothing el
     CHECK(missing->message().find("<!-- generated: b -->") != std::string::npos);
 }
 
-TEST_CASE("a definition of the schema is replaced, whatever braces its texts hold") {
+TEST_CASE("a definition of the schema is replaced, even if its texts contain braces") {
     const std::string schema =
         "{\n  \"$defs\": {\n    \"a\": {\"description\": \"} \\\" {\", \"b\": {}},\n    \"c\": {}\n  }\n}\n";
     CHECK(describe::withDefinition(schema, "a", "{1}") ==

@@ -1,4 +1,4 @@
-// The JSON schema and the tables of the documentation are what the program's rows say.
+// The JSON schema and the tables of the documentation match the program's rows.
 #include "describe/scene_format.h"
 #include "scene/yaml/settings_table.h"
 #include "unit/scene/scene_test_support.h"
@@ -25,7 +25,7 @@ TEST_CASE("the JSON schema and the tables of the scene format are up to date") {
     CHECK(describe::describedDocs(docs) == docs);
 }
 
-TEST_CASE("the schema's default of each setting is what the program takes") {
+TEST_CASE("the schema's default of each setting is the program's") {
     const Settings untouched;
     std::size_t compared = 0;
     for (const Setting& setting : settingsTable()) {

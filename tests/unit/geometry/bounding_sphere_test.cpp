@@ -1,4 +1,4 @@
-// Bounding spheres hold all points and are at most 20 % larger than the least one: known on paper for regular sets,
+// Bounding spheres hold all points and are at most 20 % larger than the least one: known analytically for regular sets,
 // found by Welzl's algorithm for the others.
 #include "geometry/bounding_sphere.h"
 
@@ -106,7 +106,7 @@ Points randomPoints(std::size_t count, unsigned seed, const vec3& stretch, bool 
 
 } // namespace
 
-TEST_CASE("Welzl's algorithm finds spheres known on paper") {
+TEST_CASE("Welzl's algorithm finds analytically known spheres") {
     // Of a box, half its diagonal; of a thin triangle, half its longest side.
     CHECK_THAT(LeastSphere({{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {2, 3, 6}, {2, 0, 6}}).radius(), WithinRel(3.5, 1e-12));
     CHECK_THAT(LeastSphere({{0, 0, 0}, {10, 0, 0}, {4, 1, 0}}).radius(), WithinRel(5.0, 1e-12));
@@ -154,7 +154,7 @@ TEST_CASE("bounding spheres of random sets are at most 20 % larger than Welzl's"
     }
 }
 
-TEST_CASE("a crowd of points at one side does not draw the bounding sphere away") {
+TEST_CASE("a cluster of points on one side does not pull the bounding sphere away") {
     Points points = randomPoints(5000, 1, vec3(1e-3F), false);
     points.emplace_back(10, 0, 0);
     points.emplace_back(5, 8, 1);

@@ -1,5 +1,5 @@
-// The packed hierarchy as the device reads it: every element stands in one leaf, and its box lies within all the
-// quantised boxes on the way there, whatever the triangles are like.
+// The packed hierarchy as the device reads it: every element is in one leaf, and its box lies within all the quantised
+// boxes on the path to it, for any triangles.
 #include "geometry/bvh_collapse.h"
 
 #include "shaders/shared/limits.h"
@@ -68,7 +68,7 @@ public:
     }
 
 private:
-    // `around`: what all boxes on the way here have in common; `stack`: entries in use when this node is popped.
+    // `around`: intersection of all boxes on the path to this node; `stack`: entries in use when this node is popped.
     void descend(std::size_t node, const Box& around, std::uint32_t stack) {
         ++nodesSeen_;
         const glm::uvec4 words = wordsOf(bvh_, node);
@@ -165,7 +165,7 @@ std::vector<std::vector<std::uint32_t>> cutsOf(const BinaryBvh& binary, std::uin
     return cuts;
 }
 
-// The least that the tree below a node may cost as a leaf or as a node with up to four children.
+// Minimal cost of the tree below a node, as a leaf or as a node with up to four children.
 double leastCost(const BinaryBvh& binary, std::uint32_t slot, std::uint32_t leafSize) {
     const BinaryNode& node = binary.nodes[slot];
     double least = node.count <= leafSize ? areaOf(binary, slot) * node.count : std::numeric_limits<double>::infinity();
@@ -182,7 +182,7 @@ double leastCost(const BinaryBvh& binary, std::uint32_t slot, std::uint32_t leaf
     return least;
 }
 
-// What the chosen one costs.
+// Cost of the chosen tree.
 double costOf(const BinaryBvh& binary, const BvhCollapse& collapse, std::uint32_t slot) {
     if (collapse.isLeaf(slot)) {
         return areaOf(binary, slot) * binary.nodes[slot].count;
@@ -196,7 +196,7 @@ double costOf(const BinaryBvh& binary, const BvhCollapse& collapse, std::uint32_
 
 } // namespace
 
-TEST_CASE("no triangle, one triangle and few triangles make hierarchies") {
+TEST_CASE("hierarchies can be built over no triangle, one triangle and few triangles") {
     const Bvh none = buildBvh({}, kLeafSize);
     REQUIRE(none.texels.size() == shared::kTexelsPerRecord);
     CHECK(wordsOf(none, 0) == glm::uvec4(shared::kNone));
@@ -218,7 +218,7 @@ TEST_CASE("hierarchies of huge, tiny and far-away triangles reach them all") {
     checkHierarchy(randomTriangles(2000, 1, 0.1F, vec3(1e8F, -1e8F, 1e8F))); // steps of the coordinates are 8
 }
 
-TEST_CASE("triangles of all scales in one mesh are all reached, though halving by space runs deep") {
+TEST_CASE("triangles of all scales in one mesh are all reached, although spatial splits run deep") {
     Boxes boxes;
     for (int i = -120; i < 30; ++i) {
         const float size = std::ldexp(1.0F, i);
@@ -230,8 +230,8 @@ TEST_CASE("triangles of all scales in one mesh are all reached, though halving b
     checkHierarchy(boxes);
 }
 
-TEST_CASE("of all ways to make wide nodes from a binary tree the cheapest is taken") {
-    // As many boxes as there are ways to try all of
+TEST_CASE("the cheapest collapse of a binary tree into wide nodes is chosen") {
+    // Few enough boxes to try all collapses
     for (const int count : {2, 3, 5, 8, 11}) {
         const Boxes boxes = randomTriangles(count, 1, 0.3F);
         const BinaryBvh binary = buildBinaryBvh(boxes, SplitMethod::SurfaceArea);
@@ -261,7 +261,7 @@ TEST_CASE("degenerate triangles are reached like others") {
     checkHierarchy(points);
 }
 
-TEST_CASE("triangles that share a centroid, or are all the same, are divided by number") {
+TEST_CASE("triangles that share a centroid, or are identical, are split by count") {
     Boxes nested;
     for (int i = 1; i <= 5000; ++i) {
         const vec3 half = vec3(1, 2, 3) * static_cast<float>(i);
@@ -289,7 +289,7 @@ TEST_CASE("one triangle as large as the mesh does not hide the small ones") {
     checkHierarchy(boxes);
 }
 
-TEST_CASE("the same boxes make the same hierarchy every time") {
+TEST_CASE("the same boxes always give the same hierarchy") {
     const Boxes boxes = randomTriangles(100000, 10, 0.1F);
     const Bvh once = buildBvh(boxes, kLeafSize);
     const Bvh again = buildBvh(boxes, kLeafSize);
@@ -297,7 +297,7 @@ TEST_CASE("the same boxes make the same hierarchy every time") {
     CHECK(once.texels == again.texels);
 }
 
-TEST_CASE("a relocated hierarchy leads to the same elements at their new places") {
+TEST_CASE("a relocated hierarchy leads to the same elements at their new positions") {
     const Boxes boxes = randomTriangles(500, 1, 0.1F);
     Bvh moved = buildBvh(boxes, kLeafSize);
     const Bvh still = moved;

@@ -1,6 +1,6 @@
-// Measures what large meshes cost: `measure_meshes TRIANGLES FILE.ply` writes a bumpy sphere of about so many triangles
-// as a binary PLY file, then reads it, asks whether it is closed, bounds it and builds its hierarchy, printing for
-// each step the seconds and the most memory used so far.
+// Measures the cost of large meshes: `measure_meshes TRIANGLES FILE.ply` writes a bumpy sphere of about that number of
+// triangles as a binary PLY file, then reads it, tests if it is closed, bounds it and builds its hierarchy, printing
+// for each step the seconds and the peak memory so far.
 #include "base/stopwatch.h"
 #include "geometry/bounding_sphere.h"
 #include "geometry/bvh.h"
@@ -33,7 +33,7 @@ glm::vec3 bumpyPoint(double theta, double phi) {
             radius * std::sin(theta) * std::sin(phi)};
 }
 
-// Rings of quads between two poles, 2 * rings * sectors triangles, with normals if asked for.
+// Rings of quads between two poles, 2 * rings * sectors triangles, with normals on request.
 void writeSphere(const std::string& file, std::size_t triangles, bool smooth) {
     const auto rings = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(triangles) / 4));
     const std::uint32_t sectors = 2 * rings;
@@ -69,7 +69,7 @@ double seconds(const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-// Seconds by the clock, and those that all cores together have computed: the latter hold on a busy machine too.
+// Wall-clock seconds and CPU seconds of all cores; the latter are meaningful on a busy machine too.
 void measure(const char* step, const std::function<void()>& work) {
     rusage before{};
     getrusage(RUSAGE_SELF, &before);

@@ -27,7 +27,7 @@ std::vector<glm::dvec3> scattered(std::size_t count, double side, std::uint32_t 
 
 } // namespace
 
-TEST_CASE("neighbours on a ring are where the ring says, and between two rings it is the geometric mean that counts") {
+TEST_CASE("the spacing on a ring is that of the ring, and for two rings the geometric mean of both") {
     // The j-th neighbours on either side of a point of a regular n-gon lie 2 R sin(pi j / n) away
     constexpr int kCorners = 360;
     std::vector<glm::dvec3> points;
@@ -47,7 +47,7 @@ TEST_CASE("neighbours on a ring are where the ring says, and between two rings i
     CHECK_THAT(typicalSpacing(points, 1), WithinRel(0.6 * std::sin(std::numbers::pi / kCorners), 1e-9));
 }
 
-TEST_CASE("the spacing is that of each point's k-th neighbour, looked for among all") {
+TEST_CASE("the spacing is that of each point's k-th neighbour among all points") {
     std::vector<glm::dvec3> points = scattered(700, 10, 1);
     for (std::size_t i = 0; i < 200; ++i) { // some in a cluster, some beside a plane
         points.push_back(i % 2 == 0 ? points[i] * 0.01 : points[i] + glm::dvec3(0, 0.1, 0));
@@ -70,7 +70,7 @@ TEST_CASE("points that coincide have no distance") {
     CHECK(typicalSpacing(std::vector<glm::dvec3>(50, glm::dvec3(1, 2, 3)), 5) < 1e-100);
 }
 
-TEST_CASE("a radius holds the photons that were wanted, whatever the pilot") {
+TEST_CASE("a radius holds the requested number of photons, whatever the pilot pass") {
     // N photons on a square of side 10 have the density N / 100: `wanted` of them in pi r^2 = wanted * 100 / N. The
     // k-th neighbour of a Poisson pattern lies about 1/2 (1 - 1/4k) further in than that, 3 % at k = 10, and the result
     // is rounded to an eighth of an octave, at most 4.5 % off.
@@ -87,7 +87,7 @@ TEST_CASE("a radius holds the photons that were wanted, whatever the pilot") {
                WithinRel(std::sqrt(30 * 100 / 100000.0 / std::numbers::pi), 0.1));
 }
 
-TEST_CASE("radii stay within bounds that the scene sets, and are a hundredth of it where nothing landed") {
+TEST_CASE("radii stay within bounds given by the scene, and are a hundredth of it if no photon landed") {
     CHECK(searchRadiusFor(30, {}, 8000, 8000, 7) == 0.07);
     CHECK(searchRadiusFor(30, scattered(20, 1, 1), 8000, 8000, 7) == 0.07);
     const double eighth = std::exp2(1.0 / 16); // rounding moves a bound by no more

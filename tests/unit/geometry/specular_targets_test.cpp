@@ -1,4 +1,4 @@
-// The spheres that caustic photons are aimed at.
+// The spheres at which caustic photons are aimed.
 #include "geometry/specular_targets.h"
 
 #include "unit/reference/support.h"
@@ -38,7 +38,7 @@ TEST_CASE("everything specular has a target, and nothing else") {
     CHECK(holds({disk}, {-3.7, 0, 0}));
 }
 
-TEST_CASE("a mesh has the sphere around its vertices where its transform puts them") {
+TEST_CASE("a mesh has the sphere around its transformed vertices") {
     Scene scene;
     const std::size_t glass = addMaterial(scene, Dielectric{});
     Mesh mesh;
@@ -60,7 +60,7 @@ TEST_CASE("a mesh has the sphere around its vertices where its transform puts th
     CHECK(targets[0].radius < 1.2 * farthest); // no larger than asked of bounding spheres
 }
 
-TEST_CASE("of a CSG tree one specular leaf is enough") {
+TEST_CASE("a CSG tree with one specular leaf is a target") {
     Scene scene;
     const std::size_t gray = addMaterial(scene, Diffuse{});
     const std::size_t glass = addMaterial(scene, Dielectric{});
@@ -75,7 +75,7 @@ TEST_CASE("of a CSG tree one specular leaf is enough") {
     CHECK(holds(targets, {2, 0, 0}));
 }
 
-TEST_CASE("a specular plane has no end: everything is a target") {
+TEST_CASE("a specular plane is unbounded: everything is a target") {
     Scene scene;
     const std::size_t mirror = addMaterial(scene, Mirror{});
     addObject(scene, Sphere{{1, 2, 3}, 0.5}, mirror);
@@ -85,7 +85,7 @@ TEST_CASE("a specular plane has no end: everything is a target") {
     CHECK(std::isinf(targets[0].radius));
 }
 
-TEST_CASE("many objects share targets, and all are held") {
+TEST_CASE("many objects share targets, and all are covered") {
     Scene scene;
     const std::size_t mirror = addMaterial(scene, Mirror{});
     Random random;

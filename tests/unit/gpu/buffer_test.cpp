@@ -1,4 +1,4 @@
-// Device memory: what goes in comes out, clears, tables, and refusals.
+// Device memory: round trips, clears, tables, and rejected requests.
 #include "base/error.h"
 #include "support/gpu_fixture.h"
 #include "unit/gpu/temporary_shaders.h"
@@ -132,7 +132,7 @@ TEST_CASE("clear of the first bytes leaves the others", "[buffer]") {
     CHECK_THROWS_AS(commands.clear(array.buffer(), 36), Error);
 }
 
-TEST_CASE("a table shows floats and words bit by bit, and what was set last", "[buffer]") {
+TEST_CASE("a table returns floats and words bit by bit, as last set", "[buffer]") {
     const gpu::Context& context = Gpu::shared().context();
     const std::array<float, 8> floats{0.1F, -2.5F, 1e-40F, 3e38F, 5, 6, 7, 8};
     const Words words{1, 0xffffffff, 0x80000000, 0x7fc00001, 5, 6, 7, 8}; // as floats two of them would be NaN

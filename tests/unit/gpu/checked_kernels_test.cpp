@@ -1,4 +1,4 @@
-// The checked build's rewriting of shaders: every access is given its check, and the rest is left as it was.
+// The checked build's rewriting of shaders: every access gets its check, and the rest is unchanged.
 #include "gpu/checked_kernels.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -7,7 +7,7 @@
 
 using namespace hyalite;
 
-TEST_CASE("every access is given a check, at its line and file", "[checked]") {
+TEST_CASE("every access gets a check, with its line and file", "[checked]") {
     const auto rewritten = [](const std::string& text) { return gpu::withBoundChecks(text, 2); };
     CHECK(rewritten("a = args.x.at[i];\n") ==
           "a = (args.x + checkedIndex(uvec2(args.x), uvec2(args.x + 1), uint(i), 131073u)).at [0];\n");

@@ -60,7 +60,7 @@ TEST_CASE("every thread index comes exactly once, whatever the number of groups 
     }
 }
 
-TEST_CASE("an observer finds the buffers that a kernel is given, before and after", "[commands]") {
+TEST_CASE("an observer finds the buffers of a kernel's arguments, before and after", "[commands]") {
     struct Observer : gpu::DispatchObserver {
         std::vector<std::uint32_t> seen; // the first value, before and after each dispatch
         [[nodiscard]] std::uint64_t addressOf(const gpu::Dispatch& dispatch) const {
@@ -84,7 +84,7 @@ TEST_CASE("an observer finds the buffers that a kernel is given, before and afte
     {
         const Array<std::uint32_t> values = zeros(100);
         address = values.buffer().address();
-        commands.run(kernel, ValuesArguments{address, 100}, 100); // seen by nobody
+        commands.run(kernel, ValuesArguments{address, 100}, 100); // without an observer
         {
             const gpu::Observation observation = commands.observe(observer);
             commands.run(kernel, ValuesArguments{address, 100}, 100);
@@ -206,7 +206,7 @@ TEST_CASE("values that are set, and copies, stand between the kernels before and
     CHECK_THROWS_AS(commands.set(values, std::span<const std::uint32_t>(tooMany)), Error);
 }
 
-TEST_CASE("an observer leaves with its scope, whatever ends that, and may outlive the commands", "[commands]") {
+TEST_CASE("an observer is removed with its scope, however that ends, and may outlive the commands", "[commands]") {
     struct Observer : gpu::DispatchObserver {
         std::vector<std::string>& calls;
         std::string name;
@@ -241,7 +241,7 @@ TEST_CASE("an observer leaves with its scope, whatever ends that, and may outliv
             const gpu::Observation inner = commands.observe(second);
             commands.run(kernel, arguments, 100);
         } catch (int) {
-            commands.run(kernel, arguments, 100); // nobody but the first sees it
+            commands.run(kernel, arguments, 100); // only the first observer sees it
         }
         CHECK(calls == std::vector<std::string>{"second before", "first before", "first after"});
     }
@@ -249,7 +249,7 @@ TEST_CASE("an observer leaves with its scope, whatever ends that, and may outliv
     CHECK(values.read() == std::vector<std::uint32_t>(100, 2));
 }
 
-TEST_CASE("a dispatch in pieces is the whole of it, and can be given up between them", "[commands]") {
+TEST_CASE("a dispatch in pieces covers all of it, and can be interrupted between them", "[commands]") {
     struct Observer : gpu::DispatchObserver {
         int pieces = 1;
         int most = 0; // give up before the next; 0: never
@@ -282,7 +282,7 @@ TEST_CASE("a dispatch in pieces is the whole of it, and can be given up between 
     CHECK(twice[1024] == 1);
 }
 
-TEST_CASE("a kernel sees all that the ones before it wrote", "[commands]") {
+TEST_CASE("a kernel sees everything that earlier kernels wrote", "[commands]") {
     // Each run adds the left neighbour, on a ring, of what the run before wrote: after n runs of x <- x + left(x) that
     // start from ones, every value is 2^n. Two arrays take turns.
     const TemporaryShaders folder;
@@ -308,7 +308,7 @@ TEST_CASE("a kernel sees all that the ones before it wrote", "[commands]") {
     CHECK(a.read() == std::vector<std::uint32_t>(count, 1U << 20U));
 }
 
-TEST_CASE("a clear stands between the kernels before and after it", "[commands]") {
+TEST_CASE("a clear takes effect between the kernels before and after it", "[commands]") {
     const Kernel kernel = valuesKernel("count_twice", kCount);
     const Array<std::uint32_t> values = zeros(1000);
     const ValuesArguments arguments{values.buffer().address(), 1000};

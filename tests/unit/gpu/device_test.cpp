@@ -1,4 +1,4 @@
-// Which device is taken, and what is said when there is none to take.
+// Device selection, and the errors if no device is usable.
 #include "base/error.h"
 #include "support/gpu_fixture.h"
 
@@ -45,7 +45,7 @@ TEST_CASE("a device is chosen by index or by part of its name in any case", "[de
     CHECK(gpu::chooseDevice(kMachine, "card 3") == 3);
 }
 
-TEST_CASE("a device that is not there is refused with the list of those that are", "[device]") {
+TEST_CASE("a missing device is refused with the list of available ones", "[device]") {
     const std::string unknown = refusal(kMachine, "GeForce");
     CHECK_THAT(unknown, ContainsSubstring("no Vulkan device 'GeForce'"));
     CHECK_THAT(unknown, ContainsSubstring("0: llvmpipe (LLVM 15), 1: Old Card 1000"));
@@ -56,7 +56,7 @@ TEST_CASE("a name that several devices share is refused", "[device]") {
     CHECK_THAT(refusal(kMachine, "new card"), ContainsSubstring("several Vulkan devices match 'new card'"));
 }
 
-TEST_CASE("a device that lacks something is refused with what it lacks", "[device]") {
+TEST_CASE("a device that lacks a feature is refused with the name of the feature", "[device]") {
     CHECK_THAT(refusal(kMachine, "1"), ContainsSubstring("Old Card 1000 lacks scalarBlockLayout, synchronization2"));
     CHECK_THAT(refusal({kMachine[1]}, ""), ContainsSubstring("Old Card 1000 lacks scalarBlockLayout"));
 }

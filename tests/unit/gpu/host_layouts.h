@@ -1,4 +1,4 @@
-// The layout that the C++ compiler gives to the structs of shaders/shared, to hold against the SPIR-V's.
+// The C++ compiler's layout of the structs of shaders/shared, for comparison with the SPIR-V's.
 #pragma once
 
 #include "gpu/kernel.h"
@@ -10,7 +10,7 @@ struct HostLayout {
     std::vector<gpu::StructMember> members; // those of an inner struct as "grid.bucketMask"
 };
 
-// By the struct's name. A struct or member that a kernel uses and that stands not here fails the layout test.
+// By the struct's name. A struct or member that a kernel uses and that is missing here fails the layout test.
 [[nodiscard]] std::map<std::string, HostLayout> hostLayouts();
 
 } // namespace hyalite::testing

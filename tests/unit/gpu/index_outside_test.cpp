@@ -1,4 +1,4 @@
-// In the checked build alone: an index outside is found, and reported with what is needed to mend it.
+// Checked build only: an index out of range is found, and reported with the information needed to fix it.
 #include "base/error.h"
 #include "support/gpu_fixture.h"
 #include "unit/gpu/temporary_shaders.h"
@@ -8,7 +8,7 @@
 using namespace hyalite;
 using testing::Gpu;
 
-TEST_CASE("an index outside is found by its kernel, place and thread", "[checked]") {
+TEST_CASE("an index out of range is reported with its kernel, place and thread", "[checked]") {
     struct Arguments {
         std::uint64_t values;
         std::uint32_t count;

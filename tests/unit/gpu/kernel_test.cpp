@@ -1,4 +1,4 @@
-// What a kernel says of itself, what is refused, and specialization.
+// Kernel reflection, rejected kernels, and specialization.
 #include "base/error.h"
 #include "support/gpu_fixture.h"
 #include "unit/gpu/temporary_shaders.h"
@@ -85,7 +85,7 @@ TEST_CASE("a specialization that the kernel does not have is ignored", "[kernel]
     CHECK(constantsWith({{"kHasSomethingElse", 1}}) == std::vector<std::uint32_t>{5, 0});
 }
 
-TEST_CASE("what is wrong with a kernel made in the background is thrown where it is first used", "[kernel]") {
+TEST_CASE("an error in a kernel created in the background is thrown at its first use", "[kernel]") {
     const TemporaryShaders folder;
     writeConstantsKernel(folder);
     folder.writeKernel("wrong", "", "int x = ;");
@@ -125,7 +125,7 @@ TEST_CASE("arguments of another size than the kernel's are refused", "[kernel]")
     CHECK_THROWS_WITH(commands.run(kernel, std::uint32_t(0), 1), ContainsSubstring("16 bytes of arguments, not 4"));
 }
 
-TEST_CASE("a kernel that reads a table which is not there is refused", "[kernel]") {
+TEST_CASE("a kernel that reads a missing table is refused", "[kernel]") {
     const TemporaryShaders folder;
     folder.writeKernel("astray", "UintArray values;", "args.values.at[i] = texelFetch(table, 0).x;",
                        "layout(set = 0, binding = 7) uniform usamplerBuffer table;");

@@ -1,4 +1,4 @@
-// Division by way of floats, on the device, against division.
+// Integer division via floats, on the device, against integer division.
 #include "support/gpu_fixture.h"
 #include "unit/gpu/temporary_shaders.h"
 
@@ -42,7 +42,7 @@ Divisions divisions() {
 
 } // namespace
 
-TEST_CASE("the quotient by way of floats is that of integers") {
+TEST_CASE("the quotient via floats is that of integers") {
     const testing::TemporaryShaders folder;
     folder.writeKernel("divide", "UintArray dividends;\nUintArray divisors;",
                        "args.dividends.at[i] = quotient(args.dividends.at[i], args.divisors.at[i]);",

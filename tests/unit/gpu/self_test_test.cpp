@@ -1,4 +1,4 @@
-// The known-answer dispatch passes on this driver, and refuses one that computes something else.
+// The known-answer dispatch passes on this driver, and rejects a driver that computes something else.
 #include "base/error.h"
 #include "gpu/self_test.h"
 #include "support/gpu_fixture.h"
@@ -15,7 +15,7 @@ namespace {
 
 const std::string kKernel = "kernels/self_test.comp";
 
-// What the self-test says when its kernel has `wrong` in the place of `right`, as a faulty driver would run it.
+// The self-test's message if its kernel has `wrong` in place of `right`, as a faulty driver would run it.
 std::string verdictWith(const std::string& right, const std::string& wrong) {
     const testing::TemporaryShaders folder;
     folder.replace(kKernel, right, wrong);

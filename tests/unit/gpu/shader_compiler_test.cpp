@@ -1,4 +1,4 @@
-// GLSL to SPIR-V: where errors are reported, what may be included, and when the cache is believed.
+// GLSL to SPIR-V: places of errors, allowed includes, and validity of the cache.
 #include "base/error.h"
 #include "gpu/kernel.h"
 #include "gpu/shader_compiler.h"
@@ -51,7 +51,7 @@ struct CachedKernels {
 
 } // namespace
 
-// What could be copied in part would compile without the part that is lost.
+// A partial copy would compile without the missing part.
 static_assert(std::is_final_v<ShaderCompiler> && !std::is_copy_constructible_v<gpu::KernelCompiler>);
 
 TEST_CASE("a compile error names the kernel, the file and the line", "[shader]") {
@@ -76,7 +76,7 @@ TEST_CASE("an error in an included file is reported in that file", "[shader]") {
     CHECK_THAT(error.what(), ContainsSubstring("kernel 'including'") && ContainsSubstring("missingName"));
 }
 
-TEST_CASE("an include is looked for beside the including file first", "[shader]") {
+TEST_CASE("an include is first searched beside the including file", "[shader]") {
     const TemporaryShaders folder;
     folder.write("lib/inner/value.glsl", "const uint kValue = 1u;\n");
     folder.write("value.glsl", "#error the one at the top was taken\n");
@@ -103,17 +103,17 @@ TEST_CASE("a file outside the shaders folder is never included", "[shader]") {
     }
 }
 
-TEST_CASE("a kernel that is not there is bad input", "[shader]") {
+TEST_CASE("a missing kernel is bad input", "[shader]") {
     const TemporaryShaders folder;
     const Error error = compileError(folder, "no_such_kernel");
     CHECK(error.code() == ExitCode::BadInput);
     CHECK_THAT(error.what(), ContainsSubstring("no_such_kernel"));
 }
 
-TEST_CASE("the cache gives the same SPIR-V as the compiler and is used when nothing changed", "[shader]") {
+TEST_CASE("the cache gives the same SPIR-V as the compiler and is used if nothing changed", "[shader]") {
     const CachedKernels kernels;
     CHECK(kernels.one == ShaderCompiler(kernels.folder.shaders()).compile("one"));
-    // The other kernel's entry, put under the first one's name, comes back: so the cache was asked.
+    // The other kernel's entry, stored under the first one's name, is returned: so the cache was used.
     kernels.folder.writeKernel("two", "uint extra;", "");
     const gpu::SpirV two = kernels.compiler.compile("two");
     REQUIRE(two != kernels.one);
@@ -125,7 +125,7 @@ TEST_CASE("the cache gives the same SPIR-V as the compiler and is used when noth
     CHECK(kernels.compiler.compile("one") == two);
 }
 
-TEST_CASE("a change in an included file is compiled, whatever the cache holds", "[shader]") {
+TEST_CASE("a change in an included file is compiled despite the cache", "[shader]") {
     const CachedKernels kernels;
     const std::string limits = testing::readFile(kernels.folder.shaders() / "shared/limits.h");
     kernels.folder.replace("shared/limits.h", "kGroupSize = 64u", "kGroupSize = 32u");
@@ -134,7 +134,7 @@ TEST_CASE("a change in an included file is compiled, whatever the cache holds", 
     CHECK(gpu::reflect(kernels.compiler.compile("one")).localSize == 64);
 }
 
-TEST_CASE("kernels of other versions of the compilers are compiled anew", "[shader]") {
+TEST_CASE("kernels from other compiler versions are recompiled", "[shader]") {
     const std::string versions = gpu::compilerVersions();
     CHECK_THAT(versions, ContainsSubstring("glslang ") && ContainsSubstring(spvSoftwareVersionString()));
     const CachedKernels kernels;
@@ -149,7 +149,7 @@ TEST_CASE("kernels of other versions of the compilers are compiled anew", "[shad
     CHECK(filesIn(kernels.cache).size() == kept + 1);
 }
 
-TEST_CASE("a damaged cache entry is compiled anew and mended", "[shader]") {
+TEST_CASE("a damaged cache entry is recompiled and replaced", "[shader]") {
     const CachedKernels kernels;
     const std::string sound = testing::readFile(kernels.file);
     std::string flipped = sound;
@@ -177,7 +177,7 @@ TEST_CASE("the cache leaves no temporary files behind", "[shader]") {
     CHECK(filesIn(kernels.cache).size() == 1);
 }
 
-TEST_CASE("values in place of specialization constants take with them the code that they never reach", "[shader]") {
+TEST_CASE("constant values remove the code that they make unreachable", "[shader]") {
     const CachedKernels kernels;
     kernels.folder.writeKernel(
         "chosen", "UintArray values;",

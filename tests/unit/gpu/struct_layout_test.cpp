@@ -1,4 +1,4 @@
-// Host and kernels read the same bytes: every struct that a kernel takes or reaches is laid out alike on both sides.
+// Host and kernels read the same bytes: every struct that a kernel takes or reaches has the same layout on both sides.
 #include "support/gpu_fixture.h"
 #include "unit/gpu/host_layouts.h"
 

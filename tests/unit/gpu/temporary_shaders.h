@@ -1,4 +1,4 @@
-// A copy of the source tree's shaders that a test may add to and break; it goes with its owner.
+// A copy of the source tree's shaders that a test may extend and break; removed by its destructor.
 #pragma once
 
 #include <filesystem>

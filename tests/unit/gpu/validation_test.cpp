@@ -1,4 +1,4 @@
-// That the validation layers say nothing counts for something only if they are heard when they do.
+// Silent validation layers prove something only if their messages are received.
 #include "support/gpu_fixture.h"
 #include "unit/gpu/temporary_shaders.h"
 
@@ -6,7 +6,7 @@
 
 using namespace hyalite;
 
-TEST_CASE("a mistake that the validation layer sees is counted and handed on", "[validation]") {
+TEST_CASE("a mistake found by the validation layer is counted and forwarded", "[validation]") {
     REQUIRE(gpu::validationLayerInstalled());
     std::vector<std::string> heard;
     const gpu::Context context({.device = {},

@@ -1,4 +1,4 @@
-// Waiting for a device that does not finish ends, and says for what.
+// Waiting for a device that does not finish times out and names the pending work.
 #include "gpu/watchdog.h"
 
 #include "base/error.h"
@@ -10,7 +10,7 @@
 using namespace hyalite;
 using testing::Gpu;
 
-TEST_CASE("a wait of any number of seconds is one that Vulkan can count", "[watchdog]") {
+TEST_CASE("a timeout of any number of seconds is representable in Vulkan", "[watchdog]") {
     CHECK(gpu::nanoseconds(1800) == 1'800'000'000'000U);
     CHECK(gpu::nanoseconds(0.5e-9) == 0);
     CHECK(gpu::nanoseconds(-1) == 0);
@@ -23,7 +23,7 @@ TEST_CASE("a wait of any number of seconds is one that Vulkan can count", "[watc
     CHECK(gpu::nanoseconds(std::numeric_limits<double>::infinity()) == kEndless);
 }
 
-TEST_CASE("work that takes longer than the watchdog allows is an error that names its stages", "[watchdog]") {
+TEST_CASE("work that exceeds the watchdog's limit is an error that names its stages", "[watchdog]") {
     const testing::TemporaryShaders folder;
     folder.writeKernel("spin", "UintArray values;",
                        "uint x = i;\n"

@@ -1,4 +1,4 @@
-// `hyalite compare` as it is called: arguments in, text and exit code out.
+// `hyalite compare` as called: arguments in, text and exit code out.
 #include "cli/command.h"
 #include "image/image_io.h"
 #include "unit/image/temporary_folder.h"
@@ -101,7 +101,7 @@ TEST_CASE("compare exits with 1 when a bar is exceeded and still prints") {
     CHECK(run({pictures.a, pictures.b, "--max-rmse", "0"}).text.find("exceeds 0") != std::string::npos);
 }
 
-TEST_CASE("compare looks at a crop and at the tolerance given") {
+TEST_CASE("compare uses the given crop and tolerance") {
     const Pictures pictures;
     const auto parse = [&](const std::vector<std::string>& arguments) {
         return nlohmann::json::parse(run(arguments).text);
@@ -109,7 +109,7 @@ TEST_CASE("compare looks at a crop and at the tolerance given") {
     CHECK(parse({pictures.a, pictures.b, "--json", "--crop", "0,0,2,2"}).at("rmse") == 0.0);
     CHECK(parse({pictures.a, pictures.b, "--json", "--crop", "2,1,1,1"}).at("rmse").get<double>() ==
           Approx(std::sqrt(0.25 / 3.0)));
-    // Against a as the reference the red pixel is off by all of itself.
+    // With a as the reference, the red pixel's error is 100 %.
     CHECK(parse({pictures.b, pictures.a, "--json", "--within", "1"}).at("within").at("share") == 1.0);
     CHECK(parse({pictures.b, pictures.a, "--json", "--within", "0.99"}).at("within").at("share") == 7.0 / 8.0);
 }

@@ -1,5 +1,5 @@
-// Damaged picture files: every prefix and thousands of changed bytes. Either a picture comes out or an Error, and a
-// header that lies about the size does not make the reader believe it.
+// Damaged picture files: every prefix and thousands of changed bytes. The result is a picture or an Error, and the
+// reader does not trust a header with a wrong size.
 #include "base/error.h"
 #include "image/exr.h"
 #include "image/image_io.h"
@@ -44,7 +44,7 @@ Imf::Header headerWith(Imf::Compression compression) {
     return header;
 }
 
-// Noisy lines of an 11 x 9 RGB picture, each with another of PNG's five filters.
+// Noisy lines of an 11 x 9 RGB picture, using PNG's five filters in turn.
 std::string pngLines() {
     Sequence random(5);
     std::string lines;
@@ -105,7 +105,7 @@ TEST_CASE("PNG data damaged beneath sound checksums gives a picture or an error"
     CHECK(errors > 0);
 }
 
-TEST_CASE("a PNG header that promises more than its data is an error without the memory") {
+TEST_CASE("a PNG header that promises more than its data is an error, without allocating memory for it") {
     const std::string data = deflated(pngLines());
     for (const PngHeader& header :
          {PngHeader{12, 9}, PngHeader{11, 10}, PngHeader{10000, 10000}, PngHeader{65536, 2048}, PngHeader{0, 9},

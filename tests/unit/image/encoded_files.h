@@ -1,4 +1,4 @@
-// Picture files made by hand in memory, among them such as no sane program writes.
+// Picture files built in memory, including some that no sane program writes.
 #pragma once
 
 #include <ImfChannelList.h>

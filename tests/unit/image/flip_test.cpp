@@ -47,7 +47,7 @@ double lightness(double Y) {
 // Tables differ in the fifth digit, as their digits of D65 do: hence tolerances of 1e-4.
 constexpr double kLargestHyab = 203.298;
 
-// ---- The paper's formulas, written out in two dimensions without a thought for speed.
+// ---- The paper's formulas, written out in two dimensions without regard for speed.
 
 using Map = std::vector<double>;
 
@@ -209,7 +209,7 @@ TEST_CASE("FLIP of green against blue is 1, the end of the scale") {
     CHECK(meanFlip(flat({0, 1, 0}), flat({0, 0, 1})) == Approx(1.0).epsilon(1e-12));
 }
 
-TEST_CASE("FLIP sees what the screen shows: radiance above 1 is white, below 0 black") {
+TEST_CASE("FLIP compares displayed colours: radiance above 1 is white, below 0 black") {
     CHECK(meanFlip(flat({1, 1, 1}), flat({50, 2, 1.5F})) == 0.0);
     CHECK(meanFlip(flat({0, 0, 0}), flat({-1, -2, -0.1F})) == 0.0);
 }
@@ -223,13 +223,13 @@ TEST_CASE("FLIP grows with the difference of flat pictures") {
     }
 }
 
-TEST_CASE("FLIP does not ask which picture is the reference") {
+TEST_CASE("FLIP is symmetric in its two pictures") {
     const Image a = halves(40);
     const Image b = flat({0.2F, 0.5F, 0.1F}, a.width, a.height);
     CHECK(flipMap(a, b).values == flipMap(b, a).values);
 }
 
-TEST_CASE("FLIP sees an edge shifted by a pixel, near the edge only, and more when it is shifted further") {
+TEST_CASE("FLIP detects an edge shifted by a pixel, only near the edge, and more if it is shifted further") {
     const ErrorMap shifted = flipMap(halves(48), halves(49));
     const ErrorMap further = flipMap(halves(48), halves(52));
     CHECK(shifted.at(48, 8) > 0.1);
@@ -242,8 +242,8 @@ TEST_CASE("FLIP sees an edge shifted by a pixel, near the edge only, and more wh
     CHECK(shifted.at(46, 8) > 0.01); // the black and white pattern is spread by a Gaussian of sigma = 1.03 pixels
 }
 
-TEST_CASE("a point that differs weighs more than its filtered colour alone says") {
-    // One white pixel on black: the colour filters spread it thin, the point detector answers.
+TEST_CASE("a point that differs weighs more than its filtered colour alone") {
+    // One white pixel on black: the colour filters blur it, the point detector responds.
     Image dot(64, 64);
     dot.at(32, 32) = {1, 1, 1};
     const Image black(64, 64);

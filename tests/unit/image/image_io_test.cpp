@@ -1,4 +1,4 @@
-// PNG and EXR there and back, and every refusal on the way.
+// PNG and EXR round trips, and every rejected input.
 #include "image/image_io.h"
 
 #include "base/error.h"
@@ -170,7 +170,7 @@ TEST_CASE("an EXR file carries the metadata as attributes and further layers as 
     CHECK(readImage(folder / "a.png").at(0, 0) == glm::vec3(1.0F));
 }
 
-TEST_CASE("an EXR picture is its display window: data outside is cut off, and where none is it is black") {
+TEST_CASE("an EXR picture is its display window: data outside is cut off, and missing data is black") {
     const TemporaryFolder folder;
     // Data columns 8..13, lines -3..3 against a display of columns 10..17, lines 0..5.
     Imf::Header header(Imath::Box2i({10, 0}, {17, 5}), Imath::Box2i({8, -3}, {13, 3}));
@@ -229,7 +229,7 @@ TEST_CASE("no NaN reaches a file") {
     CHECK(folder.entries() == 0);
 }
 
-TEST_CASE("another extension is wrong usage, and is said before the work") {
+TEST_CASE("another extension is wrong usage, and is reported before any work") {
     const TemporaryFolder folder;
     for (const char* name : {"a.jpg", "a", "a.png.gz", ".exr"}) {
         CHECK(errorOf([&] { writeImage(folder / name, Image(1, 1), {}); }).code() == ExitCode::WrongUsage);
@@ -243,7 +243,7 @@ TEST_CASE("another extension is wrong usage, and is said before the work") {
     CHECK(folder.entries() == 2);
 }
 
-TEST_CASE("pictures and layers that make no file are refused") {
+TEST_CASE("pictures and layers that cannot form a file are refused") {
     const TemporaryFolder folder;
     const auto refuses = [&](const std::vector<Layer>& layers, const Metadata& metadata = {}) {
         CHECK(errorOf([&] { writeImage(folder / "a.exr", layers, metadata); }).code() == ExitCode::OutputNotWritten);
@@ -267,7 +267,7 @@ TEST_CASE("pictures and layers that make no file are refused") {
     CHECK(folder.entries() == 0);
 }
 
-TEST_CASE("what is no picture is an error that names the file") {
+TEST_CASE("a file that is not a picture is an error that names it") {
     const TemporaryFolder folder;
     put(folder / "empty.png", "");
     put(folder / "text.png", "hyalite: 1\n");

@@ -1,4 +1,4 @@
-// JPEG files as textures have them.
+// JPEG files as used by textures.
 #include "image/jpeg.h"
 
 #include "base/error.h"
@@ -39,13 +39,13 @@ std::vector<std::byte> twoColors() {
 
 } // namespace
 
-TEST_CASE("a JPEG file is decoded as light or as numbers") {
+TEST_CASE("a JPEG file is decoded to linear light or to raw numbers") {
     const std::vector<std::byte> file = twoColors();
     CHECK(looksLikeJpeg(file));
     const Image numbers = decodeJpeg(file, "t.jpg", Encoding::Linear);
     REQUIRE(numbers.width == 16);
     REQUIRE(numbers.height == 8);
-    const double step = 2 / 255.0; // the format is not exact: colours go to YCbCr and back, rounded each time
+    const double step = 2 / 255.0; // the format is lossy: colours are converted to YCbCr and back, with rounding
     CHECK_THAT(numbers.at(2, 3).x, WithinAbs(200 / 255.0, step));
     CHECK_THAT(numbers.at(2, 3).z, WithinAbs(50 / 255.0, step));
     CHECK_THAT(numbers.at(13, 3).y, WithinAbs(80 / 255.0, step));

@@ -1,4 +1,4 @@
-// The metrics on pictures of a few pixels, whose answers fit into a comment.
+// The metrics on pictures of a few pixels, with results derived in comments.
 #include "image/metrics.h"
 
 #include "base/error.h"
@@ -79,7 +79,7 @@ TEST_CASE("a crop restricts every metric to its pixels") {
     CHECK(largest.y == 1);
 }
 
-TEST_CASE("equal pictures have no error, even where they are huge") {
+TEST_CASE("equal pictures have no error, even for huge values") {
     const float huge = std::numeric_limits<float>::max();
     const Image image = row({{huge, -huge, 0}, {1, 2, 3}});
     CHECK(rmse(image, image, wholeOf(image)) == 0.0);

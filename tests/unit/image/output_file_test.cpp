@@ -1,4 +1,4 @@
-// Output files: complete or untouched, whatever goes wrong.
+// Output files: complete or untouched, whatever fails.
 #include "base/output_file.h"
 
 #include "base/error.h"
@@ -24,7 +24,7 @@ std::span<const std::byte> bytesOf(const std::string& text) {
     return std::as_bytes(std::span(text));
 }
 
-// The hint of the Error that both ways to ask must throw.
+// The hint of the Error that both functions must throw.
 std::string hintOf(const std::function<void()>& action) {
     try {
         action();
@@ -157,7 +157,7 @@ TEST_CASE("a folder without write permission is an error with a hint") {
     CHECK(folder.entries() == 1);
 }
 
-TEST_CASE("a write-protected file is left alone even where its folder could be changed") {
+TEST_CASE("a write-protected file is left alone even if its folder is writable") {
     const TemporaryFolder folder;
     ::chmod(folder.path().c_str(), 0777);
     put(folder / "a", "old");
@@ -169,7 +169,7 @@ TEST_CASE("a write-protected file is left alone even where its folder could be c
     CHECK(get(folder / "a") == "old");
 }
 
-TEST_CASE("a write that fails half way leaves the old file and no temporary") {
+TEST_CASE("a write that fails halfway leaves the old file and no temporary file") {
     const TemporaryFolder folder;
     put(folder / "a", "old");
     const std::string large(100000, 'x');

@@ -1,4 +1,4 @@
-// The list of lights: what each row makes for the device is what the reference makes of the same scene.
+// The list of lights: each row's device records match the reference's lights for the same scene.
 #include "kinds/lights/light_kinds.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -40,7 +40,7 @@ Scene litScene() {
 
 } // namespace
 
-TEST_CASE("each row of the lights makes the device's records in the order, kind and power of the reference's lights") {
+TEST_CASE("each row of the lights gives device records in the order, kind and power of the reference's lights") {
     const Scene scene = litScene();
     const std::vector<reference::Light> twins = reference::makeLights(scene);
     std::size_t next = 0;
@@ -65,7 +65,7 @@ TEST_CASE("each row of the lights makes the device's records in the order, kind 
     CHECK(next == twins.size());
 }
 
-TEST_CASE("the rows of the lights have names of their own, and every light has a share of the photons") {
+TEST_CASE("the rows of the lights have unique names, and every light has a share of the photons") {
     std::set<std::string_view> names;
     for (const kinds::LightKind* kind : kinds::kLightKinds) {
         CHECK(names.insert(kind->doc.type).second);

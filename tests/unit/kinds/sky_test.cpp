@@ -60,7 +60,7 @@ std::vector<Texel> texelsOf(const Environment& environment) {
     return texels;
 }
 
-// What the texels of `lit` have more than those of `dark`: their irradiance of what faces each, and where it comes
+// Excess of the texels of `lit` over those of `dark`: its irradiance on surfaces facing each texel, and where it comes
 // from.
 std::pair<dvec3, dvec3> sunOf(const Scene& lit, const Scene& dark) {
     const auto with = texelsOf(*lit.environment);
@@ -103,7 +103,7 @@ TEST_CASE("the sky is brightest and whitest about the sun, and deep blue across 
     CHECK(across.x < 0.26); // daylight of D65 has x = 0.3127
 }
 
-TEST_CASE("the ground below a sky reflects what a quadrature of the model says falls on it") {
+TEST_CASE("the ground below a sky reflects the irradiance given by a quadrature of the model") {
     const kinds::SkyModel sky(4, sunAt(60));
     constexpr int kSteps = 200;
     dvec3 irradiance(
@@ -146,7 +146,7 @@ TEST_CASE("the sun above the air has the solar illuminance constant, and its lig
     CHECK(luminance(high) > 3 * luminance(low));
 }
 
-TEST_CASE("the sun stands where the scene says, with its irradiance whatever the size of the pixels") {
+TEST_CASE("the sun is where the scene puts it, with its irradiance whatever the size of the pixels") {
     const dvec3 expected = kinds::sunIrradiance(3, kinds::relativeAirMass(glm::radians(60.0)));
     for (const auto& [keys, degrees] : {std::pair<std::string, double>{", resolution: 512", 0.1},
                                         {", resolution: 512, sun_radius: 3", 0.02},
@@ -166,7 +166,7 @@ TEST_CASE("the sun stands where the scene says, with its irradiance whatever the
     CHECK(sunOf(hard, underSky(", sun_scale: 0")).first == dvec3(0));
 }
 
-TEST_CASE("a sky that cannot be is an error") {
+TEST_CASE("an impossible sky is an error") {
     const auto messageOf = [](const std::string& keys) {
         const auto error = errorOf([&] { (void)underSky(keys); });
         REQUIRE(error.has_value());

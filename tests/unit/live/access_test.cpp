@@ -14,7 +14,7 @@ TEST_CASE("an IPv6 address is written in brackets before its port", "[live]") {
     CHECK(withoutBrackets("127.0.0.1") == "127.0.0.1");
 }
 
-TEST_CASE("a server on the loopback interface answers to its own names alone", "[live]") {
+TEST_CASE("a server on the loopback interface answers only to its own names", "[live]") {
     const Access access("::1", 7878, "");
     for (const char* host : {"127.0.0.1:7878", "localhost:7878", "LOCALHOST:7878", "[::1]:7878"}) {
         CAPTURE(host);

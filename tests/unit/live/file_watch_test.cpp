@@ -87,7 +87,7 @@ TEST_CASE("a save of a new file while the scene loads is reported", "[live]") {
     const std::string mesh = folder.save("mesh.obj");
     FileWatch watch(stamps({scene}));
     const auto loaded = stamps({scene, mesh});
-    folder.save("mesh.obj"); // the worker has read it already, or has not: nobody knows
+    folder.save("mesh.obj"); // the worker may or may not have read it already
     CHECK_FALSE(watch.hasChanged());
     watch.watch(loaded);
     CHECK(watch.hasChanged());

@@ -1,4 +1,4 @@
-// The worker's inbox: which messages make the present pass unwanted, and how it ends.
+// The worker's inbox: which messages make the current pass obsolete, and how the inbox ends.
 #include "live/worker/inbox.h"
 #include "unit/live/socket_pair.h"
 
@@ -8,7 +8,7 @@ using namespace hyalite;
 using namespace hyalite::live;
 using testing::SocketPair;
 
-TEST_CASE("a change of the picture makes the present pass unwanted, a click does not", "[live]") {
+TEST_CASE("a change of the picture makes the current pass obsolete, a click does not", "[live]") {
     const SocketPair pair;
     Inbox inbox(*pair.worker);
     send(*pair.server, InspectPixel{.request = 1, .x = 2, .y = 3});
@@ -29,7 +29,7 @@ TEST_CASE("an inbox that is destroyed closes the channel and takes its thread wi
     {
         const Inbox inbox(*pair.worker);
     }
-    // The thread must not end the process, as it does when the server is gone: that nobody waits for it shows here
+    // The thread must not end the process, as it does when the server has exited: a thread left running would show here
     CHECK_FALSE(pair.server->receive());
     CHECK_FALSE(pair.worker->receive());
 }

@@ -1,4 +1,4 @@
-// The renderer behind the page, on the device: what a change of the view compiles, and that passes can be interrupted.
+// The page's renderer on the device: kernels compiled on a change of the view, and interruption of passes.
 #include "live/worker/live_renderer.h"
 #include "support/gpu_fixture.h"
 #include "unit/gpu/temporary_shaders.h"
@@ -78,7 +78,7 @@ TEST_CASE("a filter file that the page sets and that does not exist is refused, 
     CHECK(studio.renderer.view().settings.empty());
 }
 
-TEST_CASE("a picture whose first pass fails is given up, and the next one renders", "[live]") {
+TEST_CASE("a picture whose first pass fails is abandoned, and the next one renders", "[live]") {
     Studio studio;
     studio.renderer.load(studio.saveScene("room.yaml", ""), {});
     const std::string good = testing::readFile(studio.folder.shaders() / "kernels/emit_photons.comp");

@@ -1,4 +1,4 @@
-// Messages between server and worker arrive as they were sent; what is not a message is an error, never a crash.
+// Messages between server and worker arrive as sent; anything else is an error, never a crash.
 #include "base/error.h"
 #include "live/messages/page_messages.h"
 #include "live/page/page_state.h"
@@ -27,7 +27,7 @@ std::string refusalOf(const Json& body) {
 
 } // namespace
 
-TEST_CASE("what the server sends arrives as it was sent", "[live]") {
+TEST_CASE("the server's messages arrive as sent", "[live]") {
     const SocketPair pair;
     send(*pair.server,
          Start{.scene = "/scenes/room.yaml", .versions = {.good = {{"trace", "trace-1"}}, .bad = {"trace-2"}}});
@@ -55,7 +55,8 @@ TEST_CASE("a picture arrives with its pixels, its layers and an error that is no
     sent.info.height = 1;
     sent.info.layers = {"direct"};
     sent.info.stages = {{.name = "trace", .seconds = 0.25, .dispatches = 3}};
-    sent.info.error = std::numeric_limits<double>::quiet_NaN(); // JSON can only write it as null: no error is known
+    sent.info.error =
+        std::numeric_limits<double>::quiet_NaN(); // JSON can only represent it as null: the error is unknown
     sent.info.radius = std::numeric_limits<double>::infinity();
     const std::array<float, 12> pixels{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
     const auto bytes = std::as_bytes(std::span(pixels));
@@ -86,7 +87,7 @@ TEST_CASE("a picture whose bytes do not fit its size is dropped", "[live]") {
     CHECK_FALSE(pictureOf(rendered));
 }
 
-TEST_CASE("a malformed message is an error that says what is wrong with it", "[live]") {
+TEST_CASE("a malformed message is an error that describes the fault", "[live]") {
     CHECK(refusalOf(Json::object()).find("kind") != std::string::npos);
     CHECK(refusalOf({{"kind", 5}}).find("malformed message") != std::string::npos);
     CHECK(refusalOf({{"kind", "dance"}}).find("unknown kind 'dance'") != std::string::npos);

@@ -1,4 +1,4 @@
-// What the page is answered: at once when there is news, else when there is or after a while.
+// Responses to the page: at once if there is news, else on the next change or after a timeout.
 #include "live/page/page_state.h"
 
 #include <atomic>
@@ -73,7 +73,7 @@ TEST_CASE("a request for the state waits for another version", "[live]") {
     CHECK(answer.notes.back() == "news");
 }
 
-TEST_CASE("requests beyond the bound do not wait for news", "[live]") {
+TEST_CASE("requests beyond the limit do not wait for news", "[live]") {
     PageState page = makePage();
     const std::uint64_t seen = page.state(0, 0ms).version;
     // The requests at the bound wait until the page is closed; those beyond it return, and would block here otherwise
@@ -114,7 +114,7 @@ TEST_CASE("only the last request for a path is answered", "[live]") {
     CHECK(page.awaitInspection(third, kForever).error == "no worker is running");
 }
 
-TEST_CASE("nobody waits for a page that is closed", "[live]") {
+TEST_CASE("no request waits once the page is closed", "[live]") {
     PageState page = makePage();
     const std::uint64_t seen = page.state(0, 0ms).version;
     const std::uint64_t request = page.beginInspection();
@@ -123,7 +123,7 @@ TEST_CASE("nobody waits for a page that is closed", "[live]") {
     CHECK(page.awaitInspection(request, kForever).error);
 }
 
-TEST_CASE("the first prints and notes give way to the last", "[live]") {
+TEST_CASE("the oldest prints and notes give way to the newest", "[live]") {
     PageState page = makePage();
     for (int i = 0; i < 500; ++i) {
         page.addPrints({std::to_string(i)});

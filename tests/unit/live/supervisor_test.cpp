@@ -1,4 +1,4 @@
-// The supervisor with workers that are shell scripts: whatever a worker does, the server goes on.
+// The supervisor with shell scripts as workers: whatever a worker does, the server keeps running.
 #include "live/supervisor/supervisor.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -20,7 +20,7 @@ SupervisorOptions scripted(const std::string& script) {
             .say = [](const std::string&) {}};
 }
 
-// The first state that meets the condition, or the last one before the test's patience ends.
+// The first state that meets the condition, or the last one before the test's timeout.
 template <class Condition>
 StateAnswer waitFor(Supervisor& supervisor, const Condition& condition) {
     const auto end = std::chrono::steady_clock::now() + kForever;
@@ -61,7 +61,7 @@ TEST_CASE("workers that crash start again, until they have ended too often", "[l
     CHECK(waitFor(supervisor, [](const StateAnswer& s) { return s.notes.size() >= 6; }).notes.size() == 6);
 }
 
-TEST_CASE("a worker that sends what is not a message is stopped, and the server goes on", "[live]") {
+TEST_CASE("a worker that sends an invalid message is stopped, and the server keeps running", "[live]") {
     SECTION("bytes") {
         Supervisor supervisor(scripted("printf AAAAAAAAAAAAAAAA >&3; exec sleep 60"));
         const auto notes = waitFor(supervisor, [](const StateAnswer& s) { return !s.notes.empty(); }).notes;
@@ -76,7 +76,7 @@ TEST_CASE("a worker that sends what is not a message is stopped, and the server 
     }
 }
 
-TEST_CASE("what a worker sent before its end counts", "[live]") {
+TEST_CASE("messages that a worker sent before its end count", "[live]") {
     // The second end is blamed on the kernel, which had its second chance
     const std::string compiled = packet(R"({"kind": "kernel_compiled", "kernel": "trace", "version": "trace-1"})");
     Supervisor supervisor(scripted("{ " + compiled + "; } >&3; kill -SEGV $$"));
@@ -86,7 +86,7 @@ TEST_CASE("what a worker sent before its end counts", "[live]") {
     CHECK(state.errors.front().kernel == "trace");
 }
 
-TEST_CASE("a program that cannot be started is noted, and the server goes on", "[live]") {
+TEST_CASE("a program that cannot be started is reported, and the server keeps running", "[live]") {
     SupervisorOptions options = scripted("");
     options.program = "/nonexistent/hyalite";
     Supervisor supervisor(std::move(options));

@@ -82,7 +82,7 @@ TEST_CASE("a kernel without an earlier version gets a second chance", "[live]") 
           "kernel 'trace' did not end within 10 s and was stopped; there is no earlier version to run instead");
 }
 
-TEST_CASE("after three workers without a picture none starts until something changes", "[live]") {
+TEST_CASE("after three workers without a picture no worker starts until something changes", "[live]") {
     WorkerLife life(kLimit, "/shaders");
     const WorkerLife::End end{.how = "ended with exit code 3", .work = {}};
     for (int worker = 0; worker < 2; ++worker) {

@@ -45,7 +45,7 @@ private:
 
 } // namespace
 
-TEST_CASE("how a worker ended is said in words", "[live]") {
+TEST_CASE("the end of a worker is described in words", "[live]") {
     CHECK(endOf("exit 3") == "ended with exit code 3");
     CHECK(endOf("exit 4") == "ended because the device failed or took longer than --device-timeout");
     CHECK(endOf("kill -SEGV $$") == "crashed (Segmentation fault)");

@@ -1,5 +1,5 @@
-// What every model of shaders/shared/materials.h promises: densities forth and back, reciprocity, samples that weigh f
-// cos / pdf, flags that say what it does.
+// The contract of every model of shaders/shared/materials.h: forward and reverse densities, reciprocity, sample weights
+// of f cos / pdf, correct flags.
 #include "reference/bsdf/bsdf.h"
 #include "scene/model/code_twin.h"
 #include "unit/reference/support.h"
@@ -77,7 +77,7 @@ dvec3 upward(Random& random) {
     return w;
 }
 
-// Of the pair seen from wi's side: what was the direction of incidence is now the other.
+// The pair seen from wi's side, with the roles of the directions exchanged.
 BsdfValue swapped(const MaterialModel& model, const dvec3& wo, const dvec3& wi, Transport transport) {
     const bool isAbove = wi.z > 0;
     return evaluateBsdf(model, isAbove, isAbove ? kUp : kDown, wi, wo, transport);
@@ -85,7 +85,7 @@ BsdfValue swapped(const MaterialModel& model, const dvec3& wo, const dvec3& wi, 
 
 } // namespace
 
-TEST_CASE("the reverse density of a pair of directions is the density of the pair swapped, and the reverse") {
+TEST_CASE("the reverse density of a pair of directions is the density of the swapped pair, and vice versa") {
     Random random;
     for (const auto& [name, model] : models()) {
         INFO(name);
@@ -160,7 +160,7 @@ TEST_CASE("the density of a whole BSDF integrates to the share that is not absor
     }
 }
 
-TEST_CASE("a sample weighs f cos / pdf of its part, and smooth lobes have no density") {
+TEST_CASE("a sample has weight f cos / pdf of its part, and smooth lobes have no density") {
     Random random;
     for (const auto& [name, model] : models()) {
         INFO(name);
@@ -251,7 +251,7 @@ TEST_CASE("a coat of glass over a perfect mirror reflects F and lets T in and ou
     }
 }
 
-TEST_CASE("no coat makes a white base give more light than it gets") {
+TEST_CASE("no coat makes a white base reflect more light than it receives") {
     Random random;
     for (const double metallic : {0.0, 1.0}) {
         for (const double roughness : {0.0, 0.2, 0.5, 1.0}) {

@@ -1,5 +1,5 @@
-// Rough lobes against what theory says of them: energy, reciprocity, densities, limits. Integrals over the hemisphere
-// are sums over a grid of cells of equal solid angle.
+// Rough lobes against theory: energy, reciprocity, densities, limits. Integrals over the hemisphere are sums over a
+// grid of cells of equal solid angle.
 #include "reference/bsdf/bsdf.h"
 
 #include "reference/bsdf/fresnel.h"
@@ -59,7 +59,7 @@ const std::vector<MaterialModel>& roughModels() {
 
 } // namespace
 
-TEST_CASE("the facets' projected area is that of the surface, and seen from any side that of its view") {
+TEST_CASE("the facets' projected area is that of the surface, and that of the visible facets is the view's") {
     // The integral of D(m) m.z is 1 [Walter07, (4)]; that of the visible normals' density is 1 too
     for (const double alpha : {0.2, 0.5, 1.0}) {
         double area = 0;
@@ -171,7 +171,7 @@ TEST_CASE("sampling and evaluation agree: the mean weight is the integral of f c
     }
 }
 
-TEST_CASE("a rough surface gives no more light than it gets, and all but nothing is lost where it is nearly smooth") {
+TEST_CASE("a rough surface reflects no more light than it receives, and loses almost none if nearly smooth") {
     // A metal that reflects all, and glass, in a white furnace: reflectance and transmittance of flux add up
     const MaterialModel perfect = MetallicRoughness{dvec3(1), 1, 0};
     for (const double roughness : {0.1, 0.3, 0.6, 1.0}) {
@@ -196,7 +196,7 @@ TEST_CASE("a rough surface gives no more light than it gets, and all but nothing
     }
 }
 
-TEST_CASE("light goes the same way forth and back") {
+TEST_CASE("the BSDF is reciprocal") {
     // f(wo, wi) = f(wi, wo) on one side; across the boundary f over the squared index of wi's side is symmetric, for
     // radiance [Walter07 (21)]; here with eta = n_o / n_i: f(wo -> wi) n_i^2 = f(wi -> wo) n_o^2
     Random random;
@@ -222,7 +222,7 @@ TEST_CASE("light goes the same way forth and back") {
     }
 }
 
-TEST_CASE("a lobe that is nearly smooth sends light where the smooth one does") {
+TEST_CASE("a nearly smooth lobe sends light in the direction of the smooth one") {
     // alpha = 0.0016 turns facets by a few thousandths
     for (const double ior : {1.5, 0.7}) {
         const Lobe smooth = frontOf(Dielectric{ior, 0});
@@ -246,7 +246,7 @@ TEST_CASE("a lobe that is nearly smooth sends light where the smooth one does") 
     CHECK(frontOf(Dielectric{1.0005, 0.5}).alpha == 0);
 }
 
-TEST_CASE("metal reflects at normal incidence what its index says") {
+TEST_CASE("metal reflects at normal incidence according to its index") {
     // ((n - 1)^2 + k^2) / ((n + 1)^2 + k^2) with n = 0.2, k = 3.9: (0.64 + 15.21) / (1.44 + 15.21)
     CHECK_THAT(fresnelConductor(1, 0.2, 3.9), WithinAbs(15.85 / 16.65, 1e-14));
     CHECK_THAT(fresnelConductor(0, 0.2, 3.9), WithinAbs(1, 1e-14));
@@ -265,7 +265,7 @@ TEST_CASE("a metal that absorbs nothing reflects like glass") {
     }
 }
 
-TEST_CASE("base and coat of a white dielectric reflect all the light that the coat's lobe does not lose") {
+TEST_CASE("base and coat of a white dielectric reflect all light except the loss of the coat's lobe") {
     // The mean of 1 - (1 - c)^5 over the cosine-weighted hemisphere: 2 int_0^1 (1 - (1 - c)^5) c dc = 1 - 2 (1/6 - 1/7)
     // = 20/21. So at cosOut the base reflects (1 - F0) (1 - (1 - cosOut)^5), and Schlick's coat F0 + (1 - F0) (1 -
     // cosOut)^5: together 1.
@@ -284,7 +284,7 @@ TEST_CASE("base and coat of a white dielectric reflect all the light that the co
     CHECK_FALSE(diffusePart(MetallicRoughness{dvec3(0), 0, 0}).has_value());
 }
 
-TEST_CASE("what a smoothed normal sends below the true surface is absorbed") {
+TEST_CASE("light that a shading normal sends below the true surface is absorbed") {
     const ShadingNormals turned{{0, 0, 1}, glm::normalize(dvec3(-1, 0, 1))};
     const Lobe metal = frontOf(Conductor{dvec3(0.2), dvec3(3.9), 0.5});
     // From +x the mirror direction is towards -x, above; from -x it is towards +x, below the true surface

@@ -1,4 +1,4 @@
-// The tree must find exactly what asking every primitive finds.
+// The tree must find exactly what a brute-force test of every primitive finds.
 #include "reference/world.h"
 
 #include "unit/reference/support.h"
@@ -59,7 +59,7 @@ std::optional<Hit> askEveryPrimitive(const Scene& scene, const Ray& ray) {
 
 } // namespace
 
-TEST_CASE("the tree finds the same nearest hit as asking every triangle and object") {
+TEST_CASE("the tree finds the same nearest hit as a brute-force test of every triangle and object") {
     const Scene scene = randomScene(3000, 60);
     const World world = prepareWorld(scene);
     Random random;

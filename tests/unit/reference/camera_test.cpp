@@ -30,7 +30,7 @@ dvec2 passage(const Ray& ray, double depth) {
 
 } // namespace
 
-TEST_CASE("a ray through the lens meets the ray through its middle in the plane of focus") {
+TEST_CASE("a ray through the lens meets the central ray in the plane of focus") {
     Scene scene = lensScene();
     const World lens = prepareWorld(scene);
     scene.camera.aperture = 0;
@@ -44,7 +44,7 @@ TEST_CASE("a ray through the lens meets the ray through its middle in the plane 
     }
 }
 
-TEST_CASE("away from the focus a point is a disc, as wide as the lens seen from there") {
+TEST_CASE("away from the focus a point becomes a disc, as wide as the lens seen from there") {
     // Similar triangles with their common corner in focus at distance s: at distance z the bundle through a lens of
     // radius R is R |z - s| / s wide, and filled as evenly as the lens: the mean square of a disc's radius is half its
     // largest.
@@ -70,7 +70,7 @@ TEST_CASE("away from the focus a point is a disc, as wide as the lens seen from 
     }
 }
 
-TEST_CASE("without a focus distance the camera is focused on what it looks at") {
+TEST_CASE("without a focus distance the camera focuses on look_at") {
     Scene scene = lensScene();
     scene.camera.focusDistance = 0;
     scene.camera.lookAt = {0, 0, -3};

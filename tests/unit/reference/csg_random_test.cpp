@@ -1,4 +1,4 @@
-// Random trees of all solids against point membership, which knows no crossings; and rays that must not get out.
+// Random trees of all solids against point membership, which does not use crossings; and rays that must not escape.
 #include "reference/bsdf/interface.h"
 #include "reference/world.h"
 #include "unit/reference/random_solids.h"
@@ -37,8 +37,8 @@ std::vector<Hit> allHits(const World& world, const Ray& ray) {
     return hits;
 }
 
-// Membership at a place of the ray, told by the majority of three points: a slice thinner than a place, which traces
-// do not see, holds one of them at most.
+// Membership at a place on the ray, by the majority of three points: a slice thinner than a place, which traces ignore,
+// contains at most one of them.
 bool isInsideAt(const World& world, const Ray& ray, double t) {
     int votes = 0;
     for (const double step : {0.0, 2e-4, 4e-4}) {
@@ -80,7 +80,7 @@ TEST_CASE("membership changes at every hit of a random tree, and nowhere else") 
     CHECK(hitCount > 10000);
 }
 
-TEST_CASE("no ray gets out of a random tree from inside, nor by being reflected there") {
+TEST_CASE("no ray escapes from inside a random tree, not even by reflections") {
     Random random;
     int rays = 0;
     int escaped = 0;

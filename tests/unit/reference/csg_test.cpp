@@ -1,4 +1,4 @@
-// CSG with crossings known on paper: each operation, nested ones, faces that coincide, sides and materials.
+// CSG with analytic crossings: each operation, nesting, coincident faces, sides and materials.
 #include "reference/world.h"
 #include "unit/reference/random_solids.h"
 
@@ -71,7 +71,7 @@ TEST_CASE("an intersection is entered at the second surface and left at the firs
     checkHits(treeOf(kSpheres, {kLeaf, kLeaf, kIntersection}), kAlongX, {{5, 1, true}, {6, 0, false}});
 }
 
-TEST_CASE("a difference ends where what is taken away begins, and that face is seen from inside as a back") {
+TEST_CASE("a difference ends where the subtracted solid begins, and that face is seen from inside as a back") {
     checkHits(treeOf(kSpheres, {kLeaf, kLeaf, kDifference}), kAlongX, {{4, 0, true}, {5, 1, false}});
     // From the other side the cut face shows its front: the solid's outside is the second sphere's inside.
     const Ray back{.origin = {5, 0, 0}, .direction = {-1, 0, 0}};
@@ -82,7 +82,7 @@ TEST_CASE("a difference ends where what is taken away begins, and that face is s
     checkNear(evaluateSurface(world, back, *hit).geometricNormal, {1, 0, 0}, 1e-15);
 }
 
-TEST_CASE("what is taken away from what is taken away is there again") {
+TEST_CASE("a solid subtracted from a subtracted solid is present again") {
     // [4, 6] - ([5, 7] - [5.5, 6.5]) = [4, 5] and [5.5, 6]; the third sphere is reversed twice.
     std::vector<Shape> leaves = kSpheres;
     leaves.emplace_back(Sphere{{1, 0, 0}, 0.5});
@@ -99,7 +99,7 @@ TEST_CASE("a ray may start inside") {
               {{0.5, 1, false}});
 }
 
-TEST_CASE("half-spaces cut solids, and make solids without end") {
+TEST_CASE("half-spaces cut solids, and form unbounded solids") {
     // The unit sphere below y = 0.25, from above at x = 0: top of the plane at 5 - 0.25, bottom of the sphere at 6.
     const std::vector<Shape> leaves{Sphere{{0, 0, 0}, 1}, Plane{{0, 0.25, 0}, {0, 1, 0}}};
     const Ray down{.origin = {0, 5, 0}, .direction = {0, -1, 0}};
@@ -112,7 +112,7 @@ TEST_CASE("half-spaces cut solids, and make solids without end") {
     CHECK_FALSE(isInside(world, 0, {1000, 1000, 0}));
 }
 
-TEST_CASE("the classic: a cube rounded by a sphere, less three cylinders") {
+TEST_CASE("the classic: a cube rounded by a sphere, minus three cylinders") {
     // Cube of half side 1, sphere of radius 1.35, cylinders of radius 0.4 along x, y and z.
     const Scene scene = treeOf({axisBox(dvec3(-1), dvec3(1)), Sphere{dvec3(0), 1.35}, endlessCylinder(0, 0.4),
                                 endlessCylinder(1, 0.4), endlessCylinder(2, 0.4)},
@@ -152,7 +152,7 @@ TEST_CASE("abutting boxes in a union show no face between them") {
     }
 }
 
-TEST_CASE("boxes that abut but for rounding, turned any way, show no face between them either") {
+TEST_CASE("boxes that abut up to rounding, in any rotation, show no face between them either") {
     Random random;
     for (int i = 0; i < 2000; ++i) {
         const glm::dmat4 map = randomMap(random, 3);
@@ -177,7 +177,7 @@ TEST_CASE("boxes that abut but for rounding, turned any way, show no face betwee
     }
 }
 
-TEST_CASE("a solid less itself is empty") {
+TEST_CASE("a solid minus itself is empty") {
     Random random;
     for (int i = 0; i < 2000; ++i) {
         const Shape solid = randomSolid(random, i % (kSolidKinds - 1), 1);
@@ -190,7 +190,7 @@ TEST_CASE("a solid less itself is empty") {
     }
 }
 
-TEST_CASE("of faces in one place the first leaf's is met") {
+TEST_CASE("of coincident faces, the first leaf's is hit") {
     // Two boxes with the same top, overlapping for x in [0.5, 1].
     std::vector<Shape> leaves{axisBox({0, 0, 0}, {1, 1, 1}), axisBox({0.5, -1, 0}, {1.5, 1, 1})};
     for (int order = 0; order < 2; ++order) {
@@ -207,7 +207,7 @@ TEST_CASE("of faces in one place the first leaf's is met") {
     }
 }
 
-TEST_CASE("of faces in one place only one that decides is met") {
+TEST_CASE("of coincident faces, only a deciding one is hit") {
     // The first leaf's top lies in the same plane, but it is only there to be cut by a sphere far away: nothing of it
     // is left.
     const std::vector<Shape> leaves{axisBox({0, 0, 0}, {1, 1, 1}), Sphere{{50, 0, 0}, 1},
@@ -218,7 +218,7 @@ TEST_CASE("of faces in one place only one that decides is met") {
     CHECK(hit->leaf == 2);
 }
 
-TEST_CASE("a gap thinner than a place is closed, one that is wider is open") {
+TEST_CASE("a gap thinner than a place is closed, a wider one is open") {
     // From 4 away a place is 4 * 2^-18 = 1.5e-5 wide.
     const auto hitsOf = [](double gap) {
         const World world = prepareWorld(
@@ -232,7 +232,7 @@ TEST_CASE("a gap thinner than a place is closed, one that is wider is open") {
     CHECK_THAT(hitsOf(1e-5), WithinAbs(0.5, 1e-12));
 }
 
-TEST_CASE("a ray that leaves faces in one place starts beyond them all") {
+TEST_CASE("a ray that leaves coincident faces starts beyond all of them") {
     // Tops that differ by 1e-6, less than a place seen from 2 away (7.6e-6): the lower one is met, being the first
     // leaf's; yet the ray that is reflected must not start below the other.
     const World world = prepareWorld(
@@ -256,7 +256,7 @@ TEST_CASE("a shadow ray is blocked by a solid and not by what is cut out of it")
     CHECK(traceShadow(world, {-5, 0.6, 0}, {-1.5, 0.6, 0}));
 }
 
-TEST_CASE("what has no inside is refused as a leaf, and so are programs that are none") {
+TEST_CASE("shapes without an inside are refused as leaves, and so are invalid programs") {
     CHECK_THROWS_AS(prepareWorld(treeOf({Quad{}}, {kLeaf})), Error);
     CHECK_THROWS_AS(prepareWorld(treeOf({Disk{}}, {kLeaf})), Error);
     Quadric open = axisBox(dvec3(-1), dvec3(1));

@@ -1,4 +1,4 @@
-// The environment's image: where its parts are seen, and how directions are sampled from it.
+// The environment's image: its orientation, and the sampling of directions.
 #include "reference/lights/environment.h"
 
 #include "reference/integrators/whitted.h"
@@ -29,8 +29,8 @@ Environment patchwork() {
     return environment;
 }
 
-// The pixel that a direction is seen in, by the format's words alone: azimuth from left to right with -z in the middle
-// and +x in the right quarter.
+// The pixel of a direction, from the format's definition alone: azimuth from left to right with -z in the middle and +x
+// in the right quarter.
 std::size_t pixelOf(const dvec3& d, int width, int height) {
     const double u = 0.5 + std::atan2(d.x, -d.z) / (2 * pi);
     const double v = std::acos(d.y) / pi;
@@ -63,7 +63,7 @@ TEST_CASE("the middle of the image is seen along -z, its right quarter along +x 
     CHECK(seen({-1, 1, -1}) == 20);
 }
 
-TEST_CASE("a constant environment has the integral 4 pi L, and half of it the half") {
+TEST_CASE("a constant environment has the integral 4 pi L, and half of it half of that") {
     Environment environment{.image = Image(16, 8), .scale = 0.5};
     for (vec3& pixel : environment.image.pixels) {
         pixel = vec3(2, 4, 6);
@@ -155,7 +155,7 @@ TEST_CASE("a floor under a constant environment has the irradiance pi L") {
     checkNear(sum / double(kPasses), dvec3(1, 2, 3), 0.01 * glm::length(dvec3(1, 2, 3)));
 }
 
-TEST_CASE("what does not absorb is invisible in an environment that is the same everywhere") {
+TEST_CASE("objects without absorption are invisible in a uniform environment") {
     // A mirror ball and a glass one: every path ends in the environment, with its whole radiance
     for (const MaterialModel& model : {MaterialModel(Mirror{dvec3(1)}), MaterialModel(Dielectric{1.5})}) {
         Scene scene = onePixel({0, 0.3, 3}, {0, 0.2, 0}, "whitted");

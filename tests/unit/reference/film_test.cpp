@@ -9,7 +9,7 @@ using namespace hyalite;
 using namespace hyalite::reference;
 using namespace hyalite::reference::test;
 
-TEST_CASE("one pass says nothing of its error, and none is black") {
+TEST_CASE("one pass gives no error estimate, and no pass is black") {
     Film film(2, 1);
     CHECK(film.mean().picture.pixels == std::vector<glm::vec3>(2, glm::vec3(0)));
     CHECK(!film.error());
@@ -48,7 +48,7 @@ TEST_CASE("an odd number of passes weighs each sequence by its passes") {
     CHECK_THAT(film.error().value(), WithinRel(std::sqrt(expected), 1e-12));
 }
 
-TEST_CASE("the error is that of the sum of the layers that are light") {
+TEST_CASE("the error is that of the sum of the layers that hold light") {
     LayeredFilm film(1, 1, {{"direct"}, {"radius", /*isLight*/ false}, {"indirect"}});
     film.addPass([](std::uint32_t) { return std::vector{dvec3(1), dvec3(7), dvec3(2)}; });
     film.addPass([](std::uint32_t) { return std::vector{dvec3(2), dvec3(9), dvec3(3)}; });

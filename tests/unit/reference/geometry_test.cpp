@@ -45,7 +45,7 @@ TEST_CASE("a tangent ray touches the sphere, one beside it does not") {
     CHECK_FALSE(intersectSphere({.origin = {-2, 1 + 1e-15, 0}, .direction = {1, 0, 0}}, {}));
 }
 
-TEST_CASE("a sphere ten thousand kilometres away is met with its digits kept") {
+TEST_CASE("a sphere ten thousand kilometres away is hit without loss of precision") {
     // The chord at height 0.6 begins at 1e7 - 0.8. Rounding moves the closest point by 1e7 * 2^-53 = 1e-9 at most,
     // while b^2 - 4ac would be wrong by 1e14 * 2^-53 = 0.01.
     const auto hit =
@@ -89,7 +89,7 @@ TEST_CASE("a grazing ray meets a parallelogram where the slope says") {
     CHECK_THAT(hit->t, WithinAbs(1 + 5e-13, 1e-12));
 }
 
-TEST_CASE("a triangle is met with the weights of its second and third corner, from either side") {
+TEST_CASE("a triangle is hit with the weights of its second and third corner, from either side") {
     const Triangle triangle = makeTriangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     for (const double side : {1.0, -1.0}) {
         // (0.25, 0.5) = 0.25 (1, 0) + 0.5 (0, 1)
@@ -104,7 +104,7 @@ TEST_CASE("a triangle is met with the weights of its second and third corner, fr
     CHECK_FALSE(intersectTriangle({.origin = {-1, 0.25, 0}, .direction = {1, 0, 0}}, triangle)); // in its plane
 }
 
-TEST_CASE("an oblique ray meets a triangle at the same point whichever axis it mostly runs along") {
+TEST_CASE("an oblique ray hits a triangle at the same point whatever its dominant axis") {
     // Aim at the point with weights (1/2, 1/4, 1/4) of a triangle in general position.
     const Triangle triangle = makeTriangle({3, 1, -2}, {4, -1, 1}, {1, 2, 2});
     const dvec3 target = 0.5 * triangle.corners[0] + 0.25 * (triangle.corners[1] + triangle.corners[2]);
@@ -160,7 +160,7 @@ TEST_CASE("a disk ends at its rim, in the coordinates of its axes") {
     CHECK_FALSE(intersectDisk({.origin = {-5, 3, 1}, .direction = {1, 0, 0}}, disk)); // in its plane
 }
 
-TEST_CASE("a disk of oblique axes is the ellipse that they span") {
+TEST_CASE("a disk with oblique axes is the ellipse that they span") {
     // u (1, 0, 0) + v (1, 1, 0): at (1, 0.5) v = 0.5, u = 0.5; at (1.4, 0.5) u = 0.9, and 0.81 + 0.25 > 1.
     const Disk disk{.center = {0, 0, 0}, .axis0 = {1, 0, 0}, .axis1 = {1, 1, 0}};
     const auto hit = intersectDisk({.origin = {1, 0.5, 1}, .direction = {0, 0, -1}}, disk);
@@ -170,7 +170,7 @@ TEST_CASE("a disk of oblique axes is the ellipse that they span") {
     CHECK_FALSE(intersectDisk({.origin = {1.4, 0.5, 1}, .direction = {0, 0, -1}}, disk));
 }
 
-TEST_CASE("a plane is met wherever the ray goes down to it") {
+TEST_CASE("a plane is hit wherever the ray descends to it") {
     const Plane plane{.point = {0, 2, 0}, .normal = {0, 1, 0}};
     const Ray ray{.origin = {1e6, 5, 0}, .direction = {0.6, -0.8, 0}};
     const auto hit = intersectPlane(ray, plane);
@@ -200,7 +200,7 @@ TEST_CASE("as a solid, a plane is the half-space behind it") {
     CHECK_FALSE(isInside(plane, {7, 2.1, 7}));
 }
 
-TEST_CASE("a line passes a sphere twice, also behind the ray") {
+TEST_CASE("a line crosses a sphere twice, also behind the ray") {
     const Crossings list = crossings(Sphere{{0, 0, 0}, 2}, {.origin = {5, 0, 0}, .direction = {1, 0, 0}});
     REQUIRE(list.size() == 2);
     CHECK(list[0].at.t == -7);

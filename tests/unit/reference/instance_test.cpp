@@ -1,4 +1,4 @@
-// Instances of meshes against the same triangles in world space; and meshes as solids: how often a line passes them.
+// Instances of meshes against the same triangles in world space; and meshes as solids: how often a line crosses them.
 #include "reference/shapes/instance.h"
 
 #include "reference/world.h"
@@ -28,7 +28,7 @@ void checkComplete(const Crossings& list) {
 
 } // namespace
 
-TEST_CASE("an instance is met where its triangles, brought to the world, are met") {
+TEST_CASE("an instance is hit where its triangles, transformed to the world, are hit") {
     Random random;
     const Mesh mesh = ballMesh();
     Instance instance = instanceOf(mesh);
@@ -95,7 +95,7 @@ TEST_CASE("ten thousand instances keep one mesh and one tree") {
     }
 }
 
-TEST_CASE("lines exactly through corners and edges of a closed mesh pass it an even number of times") {
+TEST_CASE("lines exactly through corners and edges of a closed mesh cross it an even number of times") {
     // The cube's diagonals, its faces' diagonals, its edges, and lines in its faces: all coordinates are exact.
     const Instance cube = instanceOf(cubeMesh());
     std::vector<dvec3> places;
@@ -127,7 +127,7 @@ TEST_CASE("lines exactly through corners and edges of a closed mesh pass it an e
     CHECK(through > 500);
 }
 
-TEST_CASE("lines aimed at corners and edges of a turned closed mesh pass it an even number of times") {
+TEST_CASE("lines aimed at corners and edges of a rotated closed mesh cross it an even number of times") {
     Random random;
     const Mesh mesh = ballMesh();
     Instance ball = instanceOf(mesh);
@@ -173,7 +173,7 @@ TEST_CASE("inside a mesh is where its winding number is not 0: a cube within a c
     CHECK(isInside(instanceOf(nested), {0.1, 0.5, 0.5}));
 }
 
-TEST_CASE("a triangle without area leaves no hole") {
+TEST_CASE("a degenerate triangle leaves no hole") {
     // The cube's top has a corner on one of its edges: between them a triangle that is a line.
     Mesh mesh = cubeMesh();
     mesh.positions.emplace_back(0.3F, 0, 0); // on the edge from (0, 0, 0) to (1, 0, 0)

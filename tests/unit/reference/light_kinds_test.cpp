@@ -1,4 +1,4 @@
-// Spots, parallel light and emitting meshes against closed forms: what they send to a surface, and their photons.
+// Spots, parallel light and emitting meshes against closed forms: direct light on a surface, and photons.
 #include "reference/lights/lights.h"
 #include "reference/photons/photons.h"
 
@@ -69,7 +69,7 @@ Mesh squareMesh() {
 
 } // namespace
 
-TEST_CASE("a spot lights a floor by I cos / d^2 within its cone and falls smoothly to nothing at its end") {
+TEST_CASE("a spot lights a floor by I cos / d^2 within its cone and falls off smoothly to zero at its edge") {
     const Scene scene = spotDown();
     const auto at = [&](double degrees) { // on the floor, that far from the axis; d = 2 / cos
         const double angle = degrees * pi / 180;
@@ -95,7 +95,7 @@ TEST_CASE("the power of a spot is pi (2 - cos inner - cos outer) I, that of a po
     checkNear(makeLights(scene).at(0).power, 4 * pi * dvec3(1, 2, 3), 1e-12);
 }
 
-TEST_CASE("photons leave a spot as its intensity does") {
+TEST_CASE("photons leave a spot in proportion to its intensity") {
     const World world = prepareWorld(spotDown());
     const Light& light = world.lights.at(0);
     // The mean cosine with the axis is the integral of c s(c) over that of s(c). With a = cos 20, b = cos 40, w = a -
@@ -149,7 +149,7 @@ TEST_CASE("a beam lights its cylinder, from its disc on, and has the power E pi 
     checkNear(fluxOnFirst(scene, 256), dvec3(5 * pi / 4), 1e-12);
 }
 
-TEST_CASE("photons bring a surface the flux of its irradiance") {
+TEST_CASE("photons carry to a surface the flux of its irradiance") {
     constexpr std::uint32_t kCount = 65536;
     // Within five standard errors of independent photons, of which the surface has the share p: 5 sqrt((1 - p) / (p n))
     const auto check = [&](const Scene& scene, const dvec3& expected) {
@@ -183,7 +183,7 @@ TEST_CASE("photons bring a surface the flux of its irradiance") {
     }
 }
 
-TEST_CASE("a mesh of two triangles is the light that the same quad is") {
+TEST_CASE("a mesh of two triangles emits like the same quad") {
     Scene mesh;
     mesh.meshes = {squareMesh()};
     // Stretched, sheared, turned over and moved
@@ -274,7 +274,7 @@ TEST_CASE("the density of a direction to a light is that of the point times d^2 
     CHECK(lightPdf(lights.at(0), receiver, {0, 0, -1}, 4, {0, 0, 0}) == 0);
 }
 
-TEST_CASE("what a light emits by density and power is what it is") {
+TEST_CASE("a light's density times power is its emission") {
     // Radiance of a ray: power * density of the direction / area = L cos; intensity of a point: power * density
     Scene scene;
     scene.lights = {{.position = {0, 0, 0}, .intensity = dvec3(3)}};

@@ -123,7 +123,7 @@ TEST_CASE("samples of a square light average to its form factor") {
     CHECK(standardError < 0.01 * mean); // the bound above is a sharp one
 }
 
-TEST_CASE("one light picked in proportion to power stands for all of them on average") {
+TEST_CASE("one light picked in proportion to power gives the sum over all lights on average") {
     Scene scene;
     scene.lights = {{.position = {0, 1, 0}, .intensity = dvec3(1)},
                     {.position = {0, 2, 0}, .intensity = dvec3(3)},
@@ -165,7 +165,7 @@ TEST_CASE("the photons of a pass carry the flux of the lights") {
     checkNear(sum, 4 * pi * dvec3(1, 2, 3) + dvec3(24 * pi), 2 * glm::length(dvec3(24 * pi)) / 1024);
 }
 
-TEST_CASE("photons leave a point light evenly and a quad by the cosine") {
+TEST_CASE("photons leave a point light uniformly and a quad cosine-weighted") {
     Scene point;
     point.lights = {{.position = {0, 0, 0}, .intensity = dvec3(1)}};
     point.render.photons = 4096;

@@ -1,4 +1,4 @@
-// Reflection, refraction and Fresnel's equations against values known on paper.
+// Reflection, refraction and Fresnel's equations against analytic values.
 #include "reference/bsdf/interface.h"
 
 #include "unit/reference/support.h"
@@ -18,13 +18,13 @@ dvec3 incident(double angle) {
 
 } // namespace
 
-TEST_CASE("a mirror turns the normal part of a direction round") {
+TEST_CASE("a mirror flips the normal component of a direction") {
     checkNear(reflect({0.6, -0.8, 0}, kUp), {0.6, 0.8, 0}, 1e-15);
     // N = (1, 1, 1) / sqrt 3, I = -x: N.I = -1/sqrt 3, R = -x + 2/3 (1, 1, 1)
     checkNear(reflect({-1, 0, 0}, dvec3(1) / std::sqrt(3.0)), {-1.0 / 3, 2.0 / 3, 2.0 / 3}, 1e-15);
 }
 
-TEST_CASE("refraction follows Snell's law into the dense medium and back along the same way") {
+TEST_CASE("refraction follows Snell's law into the dense medium and back along the same path") {
     for (const double degrees : {0.0, 10.0, 45.0, 80.0, 89.9}) {
         const dvec3 in = incident(glm::radians(degrees));
         const auto inside = refract(in, kUp, 1 / 1.5);
@@ -62,7 +62,7 @@ TEST_CASE("at Brewster's angle only the perpendicular half of the light is refle
     CHECK_THAT(fresnelDielectric(std::cos(std::atan(n)), 1 / n), WithinAbs(rs * rs / 2, 1e-15));
 }
 
-TEST_CASE("a grazing ray is reflected wholly and equal indices reflect nothing") {
+TEST_CASE("a grazing ray is totally reflected and equal indices reflect nothing") {
     CHECK_THAT(fresnelDielectric(0, 1 / 1.5), WithinAbs(1, 1e-15));
     CHECK_THAT(fresnelDielectric(0.3, 1), WithinAbs(0, 1e-30));
 }
@@ -83,7 +83,7 @@ TEST_CASE("what is not reflected is transmitted") {
     }
 }
 
-TEST_CASE("a shading normal that has turned away from the ray counts as grazed") {
+TEST_CASE("a shading normal turned away from the ray counts as grazing incidence") {
     CHECK(incidentCosine({0, 1, 0}, kUp) == 0);
     CHECK(incidentCosine({0, -1, 0}, kUp) == 1);
 }

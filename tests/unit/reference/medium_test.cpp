@@ -27,7 +27,7 @@ Scene pane(double d, const Dielectric& glass) {
 
 } // namespace
 
-TEST_CASE("a pane transmits (1 - F)^2 a / (1 - F^2 a^2), where a is what one passage leaves") {
+TEST_CASE("a pane transmits (1 - F)^2 a / (1 - F^2 a^2), where a is the transmittance of one passage") {
     // a = e^(-sigma d). Straight through: (1 - F) a (1 - F); every further pair of reflections within the pane takes
     // F^2 and two passages more: a geometric series. F = ((n - 1) / (n + 1))^2 at normal incidence.
     const double d = 0.4;
@@ -43,7 +43,7 @@ TEST_CASE("a pane transmits (1 - F)^2 a / (1 - F^2 a^2), where a is what one pas
     }
 }
 
-TEST_CASE("a photon loses light on its way through glass, and only there") {
+TEST_CASE("a photon is absorbed inside glass, and only there") {
     const dvec3 sigma(0.5, 1, 2);
     const World world = prepareWorld(pane(0.4, Dielectric{1.5, 0, sigma}));
     PhotonPass pass = progressivePass(world, 0);
@@ -65,7 +65,7 @@ TEST_CASE("a photon loses light on its way through glass, and only there") {
     checkNear(path.power, glm::exp(-sigma * 0.4), 1e-12);
 }
 
-TEST_CASE("what no dielectric fills absorbs nothing") {
+TEST_CASE("space outside dielectrics absorbs nothing") {
     const Material mirror{.name = {}, .model = Mirror{}};
     CHECK(transmittance(nullptr, 5) == dvec3(1));
     CHECK(transmittance(&mirror, 5) == dvec3(1));

@@ -1,4 +1,4 @@
-// Path tracing against series known on paper.
+// Path tracing against analytic series.
 #include "reference/integrators/path.h"
 
 #include "unit/reference/furnace.h"
@@ -50,7 +50,7 @@ Scene furnace(double albedo, std::uint32_t maxDepth) {
 
 } // namespace
 
-TEST_CASE("in a sphere lit from its middle direct light is albedo / pi times the intensity") {
+TEST_CASE("in a sphere lit from its centre direct light is albedo / pi times the intensity") {
     // E = I / r^2 = 1, seen under normal incidence everywhere: L = albedo / pi. No random number changes it.
     const World world = prepareWorld(litSphere(0.5, 2));
     for (std::uint32_t pass = 0; pass < 10; ++pass) {
@@ -59,7 +59,7 @@ TEST_CASE("in a sphere lit from its middle direct light is albedo / pi times the
     CHECK(pathRadiance(prepareWorld(litSphere(0.5, 1)), 0, 0) == dvec3(0)); // a point light cannot be seen
 }
 
-TEST_CASE("in a sphere of albedo 1/2 lit from its middle radiance is I / pi, cut short the first terms of its series") {
+TEST_CASE("in a sphere of albedo 1/2 lit from its centre radiance is I / pi, or its truncated series") {
     // The sphere sees itself evenly: each bounce brings albedo times the one before. After n segments
     // L = 1/pi (1/2 + 1/4 + ... + 2^-(n-1)); without an end 1/pi.
     for (const std::uint32_t maxDepth : {3U, 5U, 100U}) {
@@ -70,7 +70,7 @@ TEST_CASE("in a sphere of albedo 1/2 lit from its middle radiance is I / pi, cut
     }
 }
 
-TEST_CASE("in a closed furnace radiance is 1 / (1 - albedo), cut short the first terms of its series") {
+TEST_CASE("in a closed furnace radiance is 1 / (1 - albedo), or its truncated series") {
     // Every direction from every point brings radiance 1 times the series 1 + a + a^2 + ...; n segments are n terms
     for (const double albedo : {0.3, 0.8}) {
         for (const std::uint32_t maxDepth : {1U, 2U, 3U, 60U}) {

@@ -29,7 +29,7 @@ VisiblePoint origin(std::uint32_t depth) {
 
 } // namespace
 
-TEST_CASE("the map finds the photons that asking every photon finds, in ascending order") {
+TEST_CASE("the map finds the photons of a brute-force search, in ascending order") {
     Random random;
     std::vector<Photon> photons;
     photons.reserve(5000);
@@ -54,7 +54,7 @@ TEST_CASE("the map finds the photons that asking every photon finds, in ascendin
     CHECK(found > 500);
 }
 
-TEST_CASE("a disc shares with a parallelogram what plane geometry says") {
+TEST_CASE("the overlap of a disc and a parallelogram follows plane geometry") {
     // A strip of width w, much longer than the disc: about its middle line the disc shares 2 (h sqrt(r^2 - h^2) + r^2
     // asin(h / r)) with it, h = w / 2.
     const double pi = std::numbers::pi;

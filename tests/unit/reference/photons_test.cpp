@@ -71,7 +71,7 @@ TEST_CASE("every run of a pass stores the same photons, and another pass others"
     CHECK_FALSE(std::equal(first.begin(), first.end(), other.begin(), other.end(), sameBits));
 }
 
-TEST_CASE("photons shared out over the cores are those traced one by one") {
+TEST_CASE("photons traced on all cores are those traced one by one") {
     Scene scene = cornellBox();
     scene.render.photons = 3000; // three blocks, the last one not full
     const World world = prepareWorld(scene);
@@ -136,7 +136,7 @@ TEST_CASE("emitted flux is absorbed or escapes, channel by channel") {
     for (int channel = 0; channel < 3; ++channel) {
         const double standardError = std::sqrt(sum2[channel] / n / n) * n;
         CHECK(std::abs(sum[channel]) <= 5 * standardError);
-        CHECK(standardError < 0.01 * emitted[channel]); // one part in a hundred lost would be seen
+        CHECK(standardError < 0.01 * emitted[channel]); // a loss of one per cent would be detected
     }
 }
 

@@ -1,4 +1,4 @@
-// Progressive photon mapping against closed forms, and what the pass loop promises.
+// Progressive photon mapping against closed forms, and the guarantees of the pass loop.
 #include "reference/integrators/ppm.h"
 
 #include "unit/reference/support.h"
@@ -91,9 +91,9 @@ TEST_CASE("a hollow sphere of albedo 1/2 glows with twice its direct light") {
     CHECK_THAT(mean, WithinAbs(expected, tolerance));
 }
 
-TEST_CASE("a pane shows the lamp behind it at (1 - F) / (1 + F) on average") {
-    // Each path takes one way at each boundary; it sees the lamp's 7 or nothing, so the mean of n paths has a standard
-    // error of 7 sqrt(T (1 - T) / n), T = 0.96 / 1.04.
+TEST_CASE("a pane shows the light behind it at (1 - F) / (1 + F) on average") {
+    // Each path is reflected or refracted at each boundary; it sees the light's 7 or nothing, so the mean of n paths
+    // has a standard error of 7 sqrt(T (1 - T) / n), T = 0.96 / 1.04.
     Scene scene = onePixel({0, 0, 5}, {0, 0, 0}, "ppm");
     scene.render.passes = 4000;
     scene.render.photonMap.causticPhotons = 1; // nothing is there for them to light
@@ -105,7 +105,7 @@ TEST_CASE("a pane shows the lamp behind it at (1 - F) / (1 + F) on average") {
     CHECK_THAT(render(scene, renderPpm).picture.pixels[0].x, WithinAbs(7 * T, 5 * 7 * std::sqrt(T * (1 - T) / 4000)));
 }
 
-TEST_CASE("a lamp inside glass is seen from outside at (1 - F) / n^2 of its radiance on average") {
+TEST_CASE("a light inside glass is seen from outside at (1 - F) / n^2 of its radiance on average") {
     // A path enters with probability 1 - F and then sees 7 / n^2, or is reflected into the dark: standard error as
     // above.
     Scene scene = onePixel({0, 0, 5}, {0, 0, 0}, "ppm");
@@ -127,7 +127,7 @@ TEST_CASE("the same scene and seed give the same bits, another seed others") {
     CHECK(render(scene, renderPpm).picture.pixels != first.pixels);
 }
 
-TEST_CASE("the picture shared out over the cores is the mean of its pixels taken one by one") {
+TEST_CASE("a picture rendered on all cores is the mean of its pixels rendered one by one") {
     const Scene scene = cornellBox();
     const World world = prepareWorld(scene);
     SearchRadii radii = firstRadii(world);

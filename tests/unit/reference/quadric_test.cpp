@@ -91,7 +91,7 @@ double valueOf(const QuadricForm& q, const dvec3& p) {
 
 } // namespace
 
-TEST_CASE("a line along an axis passes an ellipsoid at its semi-axes") {
+TEST_CASE("a line along an axis crosses an ellipsoid at its semi-axes") {
     // x^2 / 4 + y^2 + 4 z^2 = 1
     const Quadric ellipsoid = plain(diagonalForm(0.25, 1, 4, -1));
     checkCrossings(ellipsoid, {.origin = {-5, 0, 0}, .direction = {1, 0, 0}}, {{3, 0, true}, {7, 0, false}});
@@ -182,7 +182,7 @@ TEST_CASE("a capped cylinder is left through its side or its caps") {
     checkCrossings(cappedCylinder(), {.origin = {-3, 3.001, 0}, .direction = {1, 0, 0}}, {});
 }
 
-TEST_CASE("where nothing caps it, the clip box cuts the surface and closes nothing") {
+TEST_CASE("without caps the clip box cuts the surface and closes nothing") {
     Quadric tube = cappedCylinder();
     tube.capped = false;
     checkCrossings(tube, {.origin = {0.5, 10, 0}, .direction = {0, -1, 0}}, {});
@@ -196,7 +196,7 @@ TEST_CASE("where nothing caps it, the clip box cuts the surface and closes nothi
     CHECK_FALSE(isInside(WorldQuadric(cappedCylinder()), {0.8, 0, 0.8}));
 }
 
-TEST_CASE("a quadric a thousand kilometres away is met with its digits kept") {
+TEST_CASE("a quadric a thousand kilometres away is hit without loss of precision") {
     // Coordinates of 1e6 are rounded by 1e6 * 2^-53 = 1.1e-10; the plain quadratic would lose 1e12 * 2^-53 = 1e-4.
     // Height 0.6 on the unit sphere about the target: the chord is 1.6 long.
     Random random;
@@ -209,7 +209,7 @@ TEST_CASE("a quadric a thousand kilometres away is met with its digits kept") {
     }
 }
 
-TEST_CASE("the form brought to the world meets the ray where the ray brought to the form does") {
+TEST_CASE("transforming the form and transforming the ray give the same hits") {
     // Rounded coordinates are off by some 2^-53 of the place and the ray's way (20 at most), twice that in object space
     // where the shape may be shrunk to half; times the gradient, at most 25 in the box, and with the terms of q, at
     // most 50, that is the rounding of q; over its slope, that of t. 16 roundings of each kind.
@@ -237,7 +237,7 @@ TEST_CASE("the form brought to the world meets the ray where the ray brought to 
     CHECK(met > 10000);
 }
 
-TEST_CASE("q changes its sign at every crossing of its surface, the way the crossing says") {
+TEST_CASE("q changes sign at every crossing of its surface, in the direction of the crossing") {
     Random random;
     int crossed = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -268,7 +268,7 @@ TEST_CASE("q changes its sign at every crossing of its surface, the way the cros
     CHECK(crossed > 5000);
 }
 
-TEST_CASE("the normal of an ellipsoid is that of its equation, turned and stretched by the inverse transpose") {
+TEST_CASE("the normal of an ellipsoid is that of its equation, transformed by the inverse transpose") {
     // The unit sphere under a map M: normal at M p is M^-T p.
     Random random;
     for (int i = 0; i < 1000; ++i) {

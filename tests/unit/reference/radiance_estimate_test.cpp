@@ -1,4 +1,4 @@
-// The radiance estimate from the nearest photons, by numbers known on paper.
+// The radiance estimate from the nearest photons, against analytic values.
 #include "reference/photons/radiance_estimate.h"
 
 #include "unit/reference/support.h"
@@ -42,7 +42,7 @@ RadianceEstimateOptions options(std::size_t nearest, double radius) {
 
 } // namespace
 
-TEST_CASE("the nearest photons are those that asking every photon finds, in order") {
+TEST_CASE("the nearest photons are those of a brute-force search, in order") {
     Random random;
     std::vector<Photon> photons;
     for (std::uint32_t i = 0; i < 3000; ++i) {
@@ -72,7 +72,7 @@ TEST_CASE("the nearest photons are those that asking every photon finds, in orde
     }
 }
 
-TEST_CASE("the k-th photon ends the disc and is not counted in it") {
+TEST_CASE("the k-th photon sets the radius of the disc and is not counted in it") {
     const PhotonMap map({onFloor({0.1, 0, 0}), onFloor({0, 0, 0.2}), onFloor({0.5, 0, 0}), onFloor({0, 0, 0.6})});
     // Three are asked for: the third, at 1/2, ends a disc with two in it
     const auto three = estimateRadiance(map, origin(), options(3, 1));
@@ -84,7 +84,7 @@ TEST_CASE("the k-th photon ends the disc and is not counted in it") {
     checkNear(five.radiance, dvec3(0.1, 0.4, 0.9) * 4.0 / kPi, 1e-14);
 }
 
-TEST_CASE("of other kinds, too far off the plane or on too long a path no photon counts") {
+TEST_CASE("photons of other kinds, too far off the plane or on too long a path do not count") {
     Photon caustic = onFloor({0.1, 0, 0});
     caustic.kind = PhotonKind::Caustic;
     Photon distant = onFloor({0.1, 0, 0});
@@ -98,7 +98,7 @@ TEST_CASE("photons at the point itself have a disc of 1/1024 of the largest") {
     CHECK(estimateRadiance(map, origin(), options(5, 1)).radius == 1.0 / 1024);
 }
 
-TEST_CASE("filters weigh as published, and their means over the disc are those that summing over rings gives") {
+TEST_CASE("filter weights are as published, and their means over the disc match sums over rings") {
     RadianceEstimateOptions cone = options(50, 1);
     cone.filter = PhotonFilter::Cone;
     CHECK(filterWeight(cone, 0, 2) == 1);

@@ -127,7 +127,7 @@ inline void addRandomTree(Random& random, Scene& scene, std::size_t leafCount, d
         const std::size_t material = scene.csgLeaves.size() - csg.firstLeaf;
         scene.csgLeaves.push_back({.shape = shape, .material = material, .emission = dvec3(0), .where = {}});
     };
-    // Operands are joined as soon as a coin says so: all shapes of trees come up.
+    // A random decision joins operands at any time: trees of all shapes occur.
     const std::array operations{CsgStep::Union, CsgStep::Union, CsgStep::Intersection, CsgStep::Difference};
     std::size_t open = 0;
     for (std::size_t leaf = 0; leaf < leafCount || open > 1;) {

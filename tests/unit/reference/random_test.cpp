@@ -1,5 +1,4 @@
-// The random numbers themselves: both kinds are uniform, and padded dimensions and derived sequences know nothing of
-// one another.
+// The random numbers themselves: both kinds are uniform, and padded dimensions and derived sequences are uncorrelated.
 #include "reference/lib/sampling.h"
 
 #include "unit/reference/support.h"
@@ -59,7 +58,7 @@ double chiSquare(const std::vector<dvec2>& points) {
 
 } // namespace
 
-TEST_CASE("independent numbers fill the square as evenly as chance does, Sobol points exactly evenly") {
+TEST_CASE("independent numbers fill the square with random deviations, Sobol points exactly evenly") {
     // 64 cells: mean 63, variance 126. Five standard deviations are 56.
     for (const std::uint32_t dimension : {0U, 1U, 17U}) {
         for (const std::uint32_t name : {1U, 2U, 3U}) {
@@ -97,7 +96,7 @@ TEST_CASE("dimensions and sequences do not correlate, with either kind of number
     }
 }
 
-TEST_CASE("every sequence that is derived keeps the kind of its numbers, and has a seed of its own") {
+TEST_CASE("every derived sequence keeps the kind of its numbers, and has a seed of its own") {
     const std::uint32_t numbers = GENERATE(shared::kSobolNumbers, shared::kIndependentNumbers);
     const shared::RenderSeed seed = shared::renderSeed(1, numbers);
     std::set<std::uint32_t> seeds;
@@ -193,7 +192,7 @@ private:
 // The light `i` of a path and the i-th child of the path have the same sequence. They never take the same numbers of
 // it: a path takes the dimensions 2 and 5 (mod 4 vertices), a light 3; two lights' sequences are alike only where their
 // paths' are, and two paths of a tree differ in the number of the child at which they part.
-TEST_CASE("no two choices in a tree of rays take the same numbers, though lights and children share sequences") {
+TEST_CASE("no two choices in a ray tree use the same numbers, although lights and children share sequences") {
     const std::uint32_t root = shared::cameraSampler(shared::renderSeed(1, shared::kSobolNumbers), 0, 7).seed;
     NumbersOfTree numbers(/*lights*/ 70, /*depth*/ 7);
     numbers.follow(root, 0);

@@ -29,7 +29,7 @@ auto squareMean(const Function& g) {
 
 } // namespace
 
-TEST_CASE("random bits become the number their upper 24 bits say") {
+TEST_CASE("random bits become the number given by their upper 24 bits") {
     CHECK(toUnit(0) == 0);
     CHECK(toUnit(0x80000000U) == 0.5);
     CHECK(toUnit(0xffU) == 0);
@@ -75,7 +75,7 @@ TEST_CASE("a basis about any normal is orthonormal and right-handed, also about 
     }
 }
 
-TEST_CASE("a normal whose zero carries a minus has the same basis as without") {
+TEST_CASE("a normal with a negative zero has the same basis as with a positive one") {
     const Basis plus = orthonormalBasis({0, 1, 0.0});
     const Basis minus = orthonormalBasis({0, 1, -0.0});
     CHECK(plus.tangent == minus.tangent);

@@ -1,4 +1,4 @@
-// What every solid must do: list crossings that agree with membership, and let rays leave without meeting them again.
+// Requirements on every solid: crossings agree with membership, and rays leave without hitting it again.
 #include "reference/shapes/solid.h"
 
 #include "reference/bsdf/interface.h"

@@ -1,4 +1,4 @@
-// What the tests of the reference share: comparisons of vectors, plain random numbers, and small scenes.
+// Shared by the tests of the reference: comparisons of vectors, plain random numbers, and small scenes.
 #pragma once
 
 #include "reference/lib/sampling.h"

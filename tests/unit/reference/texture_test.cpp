@@ -1,4 +1,4 @@
-// Textures against what they are by definition.
+// Textures against their definition.
 #include "reference/textures/texture.h"
 
 #include "reference/world.h"
@@ -42,7 +42,7 @@ Scene sceneOf(const Shape& shape) {
 
 } // namespace
 
-TEST_CASE("an image has its texels' colours in their middles and mixes them evenly between") {
+TEST_CASE("an image has its texels' colours at their centres and interpolates linearly between") {
     const TextureModel image = fourTexels();
     const auto at = [&](double u, double v) { return evaluateTexture(image, {u, v}, dvec3(0)); };
     checkNear(at(0.25, 0.75), {1, 0, 0}, 1e-15); // upper left: v points up
@@ -54,7 +54,7 @@ TEST_CASE("an image has its texels' colours in their middles and mixes them even
     checkNear(at(0.375, 0.75), {0.75, 0, 0.25}, 1e-15);
 }
 
-TEST_CASE("an image repeats, and its edges mix with those opposite") {
+TEST_CASE("an image repeats, and its edges blend with the opposite ones") {
     const TextureModel image = fourTexels();
     Random random;
     for (int i = 0; i < 100; ++i) {

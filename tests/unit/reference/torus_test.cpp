@@ -1,4 +1,4 @@
-// Lines against a torus: crossings derived on paper, and every crossing of random lines found by looking.
+// Lines against a torus: analytic crossings, and every crossing of random lines against sampling.
 #include "reference/shapes/torus.h"
 
 #include "unit/reference/random_solids.h"
@@ -30,13 +30,13 @@ double distanceFrom(const Torus& torus, const dvec3& p) {
 
 } // namespace
 
-TEST_CASE("a line across the ring's plane passes both sides of the tube") {
+TEST_CASE("a line in the ring's plane crosses both sides of the tube") {
     // |x| from 0.75 to 1.25, seen from x = -3
     checkCrossings(kRing, {.origin = {-3, 0, 0}, .direction = {1, 0, 0}}, {1.75, 2.25, 3.75, 4.25});
     checkCrossings(kRing, {.origin = {0, 0, 0}, .direction = {0, 0, 1}}, {-1.25, -0.75, 0.75, 1.25});
 }
 
-TEST_CASE("a line through the hole passes nothing, one through the tube both its sides") {
+TEST_CASE("a line through the hole crosses nothing, one through the tube both its sides") {
     checkCrossings(kRing, {.origin = {0, 3, 0}, .direction = {0, -1, 0}}, {});
     checkCrossings(kRing, {.origin = {0.74, 3, 0}, .direction = {0, -1, 0}}, {});
     checkCrossings(kRing, {.origin = {1, 3, 0}, .direction = {0, -1, 0}}, {2.75, 3.25});
@@ -52,7 +52,7 @@ TEST_CASE("a line along the tube leaves it where the ring bends away") {
     checkCrossings(kRing, {.origin = {0.5, 0, 0}, .direction = {0, 0, 1}}, {-outer, -inner, inner, outer});
 }
 
-TEST_CASE("a line above the tube misses it, one just below its top passes a sliver") {
+TEST_CASE("a line above the tube misses it, one just below its top crosses a sliver") {
     checkCrossings(kRing, {.origin = {-3, 0.2501, 0}, .direction = {1, 0, 0}}, {});
     // At height h below the top by 1e-8 the tube is 2 sqrt(0.0625 - h^2) = 2 sqrt(0.5e-8 - 1e-16) wide.
     const double reach = std::sqrt(0.5e-8 - 1e-16);
@@ -70,14 +70,14 @@ TEST_CASE("a line that touches the torus from two sides at once passes between t
     CHECK(crossings(WorldTorus(kRing), {.origin = {0, 0, 0}, .direction = at(a + 1e-6)}).empty());
 }
 
-TEST_CASE("a torus a thousand kilometres away is met with its digits kept") {
+TEST_CASE("a torus a thousand kilometres away is hit without loss of precision") {
     // Coordinates of 1e6 are rounded by 1e6 * 2^-53 = 1.1e-10, which the slopes of the tube enlarge a few times.
     checkCrossings(kRing, {.origin = {-1e6, 0, 0}, .direction = {1, 0, 0}},
                    {1e6 - 1.25, 1e6 - 0.75, 1e6 + 0.75, 1e6 + 1.25}, 2e-9);
     checkCrossings(kRing, {.origin = {1, 1e6, 0}, .direction = {0, -1, 0}}, {1e6 - 0.25, 1e6 + 0.25}, 2e-9);
 }
 
-TEST_CASE("looking along random lines finds the crossings of thick and thin rings, and no more") {
+TEST_CASE("sampling random lines finds the crossings of thick and thin rings, and no others") {
     Random random;
     int crossed = 0;
     for (int i = 0; i < 3000; ++i) {
@@ -115,7 +115,7 @@ TEST_CASE("looking along random lines finds the crossings of thick and thin ring
     CHECK(crossed > 5000);
 }
 
-TEST_CASE("a torus stands where its transform puts it, with the normal of the tube") {
+TEST_CASE("a torus is where its transform puts it, with the normal of the tube") {
     Random random;
     for (int i = 0; i < 1000; ++i) {
         Torus torus{.major = 1, .minor = 0.25, .objectToWorld = randomMap(random, 10)};

@@ -31,7 +31,7 @@ Scene litFloor() {
 // 1e-3 relative; its mean moves in the second order.
 const double kLitFloor = 0.6 / pi * 10 * 2 / (5 * std::sqrt(5.0));
 
-// A lamp of radiance 7 seen straight through a pane of ior 1.5.
+// A light of radiance 7 seen straight through a pane of ior 1.5.
 Scene pane(std::uint32_t maxDepth) {
     Scene scene = onePixel({0, 0, 5}, {0, 0, 0}, "whitted");
     scene.render.maxDepth = maxDepth;
@@ -59,7 +59,7 @@ TEST_CASE("all lights add up, each by its own shadow ray") {
     CHECK_THAT(radiance(scene), WithinRel(kLitFloor, 1e-3));
 }
 
-TEST_CASE("a mirror shows the lamp times its reflectance, and nothing at depth 0") {
+TEST_CASE("a mirror shows the light times its reflectance, and nothing at depth 0") {
     Scene scene = onePixel({0, 0, 5}, {0, 0, 0}, "whitted");
     const std::size_t mirror = addMaterial(scene, Mirror{dvec3(0.9)});
     addObject(scene, Quad{{-1, -1, 1}, {2, 0, -2}, {0, 2, 0}}, mirror);                // normal along (1, 0, 1)
@@ -81,9 +81,9 @@ TEST_CASE("a pane transmits (1 - F)^2, and more with each pair of reflections in
     CHECK_THAT(radiance(pane(20)), WithinRel(7 * (1 - kF) / (1 + kF), 1e-8));
 }
 
-TEST_CASE("rays whose weight is below the least are not followed") {
-    // Reflections weigh 0.04 / 2.25 inside the glass: at 0.05 none is followed, only the straight way with
-    // 0.96 / 2.25 = 0.43 and 0.96^2 is.
+TEST_CASE("rays below the minimum weight are not followed") {
+    // Reflections weigh 0.04 / 2.25 inside the glass: at 0.05 none is followed, only the straight path with 0.96 / 2.25
+    // = 0.43 and 0.96^2 is.
     Scene scene = pane(20);
     scene.render.minWeight = 0.05;
     CHECK_THAT(radiance(scene), WithinRel(7 * (1 - kF) * (1 - kF), 1e-8));
@@ -91,9 +91,9 @@ TEST_CASE("rays whose weight is below the least are not followed") {
     CHECK(radiance(scene) == 0);
 }
 
-TEST_CASE("a lamp inside glass is seen from outside at (1 - F) / n^2 of its radiance") {
+TEST_CASE("a light inside glass is seen from outside at (1 - F) / n^2 of its radiance") {
     Scene scene = pane(5);
-    scene.objects.erase(scene.objects.begin() + 1); // no back face: the lamp stands in the glass
+    scene.objects.erase(scene.objects.begin() + 1); // no back face: the light is inside the glass
     CHECK_THAT(radiance(scene), WithinRel(7 * (1 - kF) / 2.25, 1e-8));
 }
 

@@ -52,7 +52,7 @@ TEST_CASE("a quad emits on its front, edge0 x edge1, only") {
     CHECK(surfaceAlong(world, {.origin = {0, 0, -1}, .direction = {0, 0, 1}}).emission == dvec3(0));
 }
 
-TEST_CASE("a mesh stands where its transform puts it, with its front where the file has it") {
+TEST_CASE("a mesh is where its transform puts it, with its front as in the file") {
     // Scaled by 2 in x, mirrored in z, moved to z = 4. Counter-clockwise about +z becomes a front towards -z.
     Scene scene;
     scene.meshes = {oneTriangle()};
@@ -140,7 +140,7 @@ TEST_CASE("a ray that leaves a surface does not hit it where it started, at any 
     CHECK(left > 19000);
 }
 
-TEST_CASE("a ray that enters a sphere meets its far side") {
+TEST_CASE("a ray that enters a sphere hits its far side") {
     Random random;
     for (int i = 0; i < 5000; ++i) {
         const double radius = std::pow(10.0, random.between(-3, 3));

@@ -8,7 +8,7 @@
 
 namespace hyalite {
 
-TEST_CASE("base64 is that of RFC 4648, either way") {
+TEST_CASE("base64 is that of RFC 4648, in both directions") {
     using Pair = std::pair<std::string, std::string>;
     for (const auto& [bytes, text] :
          {Pair{"", ""}, Pair{"f", "Zg=="}, Pair{"fo", "Zm8="}, Pair{"foo", "Zm9v"}, Pair{"foob", "Zm9vYg=="},

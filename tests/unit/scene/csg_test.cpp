@@ -1,5 +1,5 @@
-// Constructive solid geometry in the scene file: the program and leaves that a tree comes to, their transforms,
-// materials and bounds, and every mistake with its place.
+// Constructive solid geometry in the scene file: the program and leaves of a tree, their transforms, materials and
+// bounds, and every mistake with its place.
 #include "unit/scene/bad_scene.h"
 
 #include "scene/model/bounds.h"
@@ -133,7 +133,7 @@ TEST_CASE("a face's material is the shape's own, or the nearest csg's, or the ob
     CHECK(materials(scene) == std::vector<std::optional<std::size_t>>{kRed, kGreen, kGray});
 }
 
-TEST_CASE("cut_material is that of all faces that the right operands cut, the outermost first") {
+TEST_CASE("cut_material applies to all faces cut by the right operands, the outermost taking precedence") {
     // In a list all but the first shape cut; their own materials do not matter.
     const Scene list = loadWithShape("{type: csg, op: difference, cut_material: blue, shapes: "
                                      "[{type: sphere, radius: 1, material: red}, " +
@@ -241,7 +241,7 @@ TEST_CASE("more shapes than a csg can have are reported at the csg that has them
     });
 }
 
-TEST_CASE("transforms that are singular only together are reported at the innermost") {
+TEST_CASE("transforms that are singular only in combination are reported at the innermost") {
     const auto csg = [](const std::string& outer, const std::string& inner) {
         return withObject("{material: gray, transform: " + outer + ", shape: {type: csg, op: union, left: " + kBall +
                           ", right: {type: sphere, radius: 1, transform: " + inner + "}}}");

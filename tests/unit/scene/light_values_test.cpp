@@ -1,4 +1,4 @@
-// What a scene file says of lights arrives in the scene, images of environments among it.
+// A scene file's lights arrive in the scene, including environment images.
 #include "image/image_io.h"
 #include "unit/scene/bad_scene.h"
 

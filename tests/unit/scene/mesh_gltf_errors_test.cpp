@@ -37,7 +37,7 @@ json& primitive(json& document) {
 
 } // namespace
 
-TEST_CASE("a glTF file that is no JSON is an error with line and column") {
+TEST_CASE("a glTF file that is not JSON is an error with line and column") {
     const auto error = errorOf([] { static_cast<void>(parse("{\n  \"asset\": {\"version\": 2.0,}\n}")); });
     REQUIRE(error);
     CHECK(error->where().line == 2);
@@ -53,7 +53,7 @@ TEST_CASE("a glTF file that is no JSON is an error with line and column") {
     checkGltfRejected(R"({"asset": {"version": "2.0"}})", "shows no triangles");
 }
 
-TEST_CASE("references to what a glTF file does not have are named") {
+TEST_CASE("dangling references in a glTF file are named") {
     checkSpoilt({
         {[](json& d) { d["scene"] = 1; }, "scene: index 1 of 'scenes' is out of range"},
         {[](json& d) { d["scenes"][0]["nodes"][0] = 7; }, "scenes[0].nodes[0]: index 7 of 'nodes' is out of range"},
@@ -109,7 +109,7 @@ TEST_CASE("values that the device cannot hold are named with their element") {
     checkGltfRejected(spoilt(2e9F), "accessors[0]: element 1: the coordinate is too large");
 }
 
-TEST_CASE("sparse accessors must name elements that there are, in order") {
+TEST_CASE("sparse accessors must name existing elements, in order") {
     const auto spoilt = [](const std::vector<std::uint8_t>& indices, std::size_t count) {
         Gltf gltf = pyramidGltf();
         const std::size_t indexView = gltf.addView(bytesOf(indices));
@@ -129,7 +129,7 @@ TEST_CASE("sparse accessors must name elements that there are, in order") {
     checkGltfRejected(spoilt({1, 2}, 6), "accessors[0].sparse.count: expected a whole number in [1, 5]");
 }
 
-TEST_CASE("nodes that are no tree, or no transform, are named") {
+TEST_CASE("nodes that do not form a tree, or have no valid transform, are named") {
     checkSpoilt({
         {[](json& d) { d["nodes"][0]["children"] = {0}; }, "nodes[0]: the node is reached more than once"},
         {[](json& d) {
@@ -156,7 +156,7 @@ TEST_CASE("nodes that are no tree, or no transform, are named") {
     });
 }
 
-TEST_CASE("what would change the shape and is not read is refused, what would not is let pass") {
+TEST_CASE("unsupported features are refused if they would change the shape, else ignored") {
     checkSpoilt({
         {[](json& d) { d["extensionsRequired"] = {"KHR_draco_mesh_compression"}; },
          "extensionsRequired[0]: the file requires the extension 'KHR_draco_mesh_compression'"},
@@ -225,7 +225,7 @@ TEST_CASE("a binary glTF file cut off anywhere, or changed in its header, is an 
     checkGltfRejected(changed(16, 0x004e4942U), "byte 12: the first chunk is not JSON");
 }
 
-TEST_CASE("small glTF files that stand for huge meshes are refused before anything is allocated") {
+TEST_CASE("small glTF files that describe huge meshes are refused before anything is allocated") {
     Gltf zeros = pyramidGltf(); // 2^40 vertices of zeros: no bytes, but terabytes of corners
     zeros.document["accessors"][0] = {{"type", "VEC3"}, {"componentType", kFloat}, {"count", std::uint64_t{1} << 40U}};
     primitive(zeros.document).erase("indices");

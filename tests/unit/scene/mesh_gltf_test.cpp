@@ -108,7 +108,7 @@ TEST_CASE("glTF strips and fans become the triangles that the format describes")
     CHECK(onlyMesh(fan.text()).triangles == std::vector<glm::uvec3>{{1, 2, 0}, {2, 3, 0}, {3, 4, 0}});
 }
 
-TEST_CASE("glTF attributes may share a view with a stride, and be whole numbers that stand for fractions") {
+TEST_CASE("glTF attributes may share a view with a stride, and be normalised integers") {
     // Position as float, normal as normalized byte, texture coordinate as normalized unsigned short: 12 + 4 + 4 bytes.
     const std::vector<glm::vec3> corners{{0, 0, 0}, {2, 0, 0}, {0, 3, 0}};
     std::string bytes;
@@ -139,7 +139,7 @@ TEST_CASE("glTF attributes may share a view with a stride, and be whole numbers 
     CHECK(mesh.uvs == std::vector<glm::vec2>(3, {0, 0}));         // (0, 1): the format's v points downwards
 }
 
-TEST_CASE("glTF positions may be whole numbers that stand for themselves") {
+TEST_CASE("glTF positions may be integers that are not normalised") {
     Gltf gltf;
     const std::size_t accessor =
         gltf.add(bytesOf(std::vector<std::int16_t>{0, 0, 0, 300, 0, 0, 0, -300, 7}), "VEC3", kShort, 3);
@@ -255,7 +255,7 @@ TEST_CASE("the parts of a glTF file merge into one mesh whose fronts and normals
     }
 }
 
-TEST_CASE("a part of no volume is an error of a merged glTF file, with its place") {
+TEST_CASE("a part without volume is an error of a merged glTF file, with its place") {
     Gltf gltf = pyramidGltf();
     const std::size_t normals = gltf.addPositions(std::vector<glm::vec3>(5, {0, 0, 3}));
     gltf.document["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = normals;

@@ -142,7 +142,7 @@ TEST_CASE("a zero normal of a PLY vertex is an error where a face uses it, and o
     checkRejected(parsePly, mesh("$3 0 1 3\n"), "face 1: a vertex normal is zero");
 }
 
-TEST_CASE("an arrowhead is cut at its dent, and a worse polygon is refused") {
+TEST_CASE("an arrowhead is split at its concave corner, and a worse polygon is refused") {
     // The dent (corner 1) lies inside the triangle of the others: only the diagonal from it lies inside the polygon.
     const Mesh mesh = parseObj("v 0 0 0\nv 0.4 0.4 0\nv 0 2 0\nv -3 0 0\nf 2 3 4 1\n", "dent-first.obj");
     CHECK(mesh.triangles == std::vector<glm::uvec3>{{1, 2, 3}, {1, 3, 0}});

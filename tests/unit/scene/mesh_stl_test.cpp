@@ -32,7 +32,7 @@ std::string binaryPyramid(std::string header = "made by hand") {
     put(header, static_cast<std::uint32_t>(kTriangles.size()), false);
     for (const glm::uvec3& triangle : kTriangles) {
         for (int axis = 0; axis < 3; ++axis) {
-            put(header, std::numeric_limits<float>::quiet_NaN(), false); // a normal that nobody may trust
+            put(header, std::numeric_limits<float>::quiet_NaN(), false); // a normal that readers must ignore
         }
         for (int corner = 0; corner < 3; ++corner) {
             for (int axis = 0; axis < 3; ++axis) {
@@ -58,7 +58,7 @@ TEST_CASE("a pyramid is the same welded mesh from text and from binary STL") {
     checkWeldedPyramid(binaryPyramid());
 }
 
-TEST_CASE("a binary STL file that begins like text is told by its size") {
+TEST_CASE("a binary STL file that begins like text is recognised by its size") {
     checkWeldedPyramid(binaryPyramid("solid pyramid\nfacet normal 0 0 0"));
 }
 
@@ -119,7 +119,7 @@ TEST_CASE("a mistake in binary STL is reported with its triangle and byte") {
     checkRejected(parseStl, empty, "the mesh has no triangles");
 }
 
-TEST_CASE("a binary STL file that is cut off, or promises what it does not hold, is an error") {
+TEST_CASE("a binary STL file that is truncated, or promises more than it holds, is an error") {
     const std::string whole = binaryPyramid("solid, or so it says");
     for (std::size_t size = 0; size < whole.size(); ++size) {
         INFO(size << " of " << whole.size() << " bytes");

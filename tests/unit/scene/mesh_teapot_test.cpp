@@ -134,7 +134,7 @@ TEST_CASE("the teapot's normals are unit vectors and turned to the front of its 
     CHECK_FALSE(isInsideOut(mesh));
 }
 
-TEST_CASE("the teapot is open where its parts end, and nowhere else") {
+TEST_CASE("the teapot is open at the ends of its parts, and nowhere else") {
     for (const std::uint32_t level : {2U, 6U, 33U}) {
         const Mesh mesh = makeTeapot(level);
         CHECK(findOpenEdge(mesh));

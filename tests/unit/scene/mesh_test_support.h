@@ -1,4 +1,4 @@
-// What the tests of mesh files share: a pyramid, bytes of either order, and mistakes with their places.
+// Shared by the tests of mesh files: a pyramid, bytes of either order, and mistakes with their places.
 #pragma once
 
 #include "unit/scene/scene_test_support.h"

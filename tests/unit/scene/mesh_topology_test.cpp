@@ -73,7 +73,7 @@ TEST_CASE("a missing triangle leaves an open edge, named as its neighbour runs a
     CHECK((is(7, 4) || is(6, 7) || is(4, 6)));
 }
 
-TEST_CASE("a triangle turned against its neighbours leaves open edges") {
+TEST_CASE("a triangle with the opposite orientation of its neighbours leaves open edges") {
     Mesh mesh = box();
     std::swap(mesh.triangles[3].y, mesh.triangles[3].z);
     CHECK(findOpenEdge(mesh));
@@ -108,7 +108,7 @@ TEST_CASE("triangles with two corners in one place change nothing") {
     CHECK(findOpenEdge(mesh));
 }
 
-TEST_CASE("a mesh of degenerate triangles alone, or of none, is closed and empty") {
+TEST_CASE("a mesh of only degenerate triangles, or of none, is closed and empty") {
     Mesh mesh;
     CHECK_FALSE(findOpenEdge(mesh));
     CHECK_FALSE(isInsideOut(mesh));

@@ -1,5 +1,4 @@
-// Quadrics as numbers: values, transforms, centres and how far they reach, against values derived by hand and against
-// random points.
+// Quadrics as numbers: values, transforms, centres and bounds, against hand-derived values and random points.
 #include "unit/scene/scene_test_support.h"
 
 #include "scene/model/quadric.h"
@@ -143,7 +142,7 @@ TEST_CASE("a small ellipsoid far away has bounds as narrow as near") {
     CHECK_THAT(box.high.y, WithinAbs(0.001, 1e-9));
 }
 
-TEST_CASE("a cylinder has no end along its axis, and one across it") {
+TEST_CASE("a cylinder is unbounded along its axis, and bounded across it") {
     const QuadricForm cylinder{.a = 0.25, .h = 1, .j = -1};
     checkBounds(formBounds(cylinder), {{-2, -kInfinite, -1}, {2, kInfinite, 1}});
     // Turned, nothing about its form tells where it ends but rounding: it must not be taken for an ellipsoid.
@@ -153,7 +152,7 @@ TEST_CASE("a cylinder has no end along its axis, and one across it") {
     }
 }
 
-TEST_CASE("shapes that a clip box ends along one axis end along the others where their sections say") {
+TEST_CASE("shapes clipped along one axis are bounded along the others by their sections") {
     const auto bounds = [](const QuadricForm& form, double low, double high) {
         Quadric quadric{.form = form, .clip = Bounds::everything()};
         quadric.clip.low.y = low;
@@ -222,7 +221,7 @@ TEST_CASE("missing sides of a clip box are put a little outside of the shape") {
     checkBounds(withFiniteClip({.form = kEllipsoid}).clip, Bounds::everything());
 }
 
-TEST_CASE("a form's centre is where it is best written about") {
+TEST_CASE("a form's centre is its best-conditioned origin") {
     const auto moved = [](const QuadricForm& form, const dvec3& by) {
         return transformed(form, glm::rotate(glm::translate(dmat4(1), by), 1.0, dvec3(1, 1, 0)));
     };

@@ -8,7 +8,7 @@ using namespace hyalite::test;
 
 namespace {
 
-// A scene that is right but for one part.
+// A scene with a mistake in one part.
 std::string withCamera(const std::string& camera) {
     return "hyalite: 1\ncamera: " + camera +
            "\nlights: [{type: point, position: [0, 1, 0]}]\n"
@@ -48,7 +48,7 @@ TEST_CASE("a missing scene file, a folder and an empty file are bad input") {
     }
 }
 
-TEST_CASE("the scene that the error tests vary is right without its mistake") {
+TEST_CASE("the scene of the error tests is valid without its mistake") {
     TemporaryFolder folder;
     for (const std::string& text : {withCamera("{fov: 30}"), withRender("{passes: 3}"), withMaterial("{type: mirror}"),
                                     withLight("{type: point, position: [0, 1, 0]}"),

@@ -57,7 +57,7 @@ private:
     std::mt19937 random_; // its numbers, unlike the distributions', are the same with every library
 };
 
-// Loads so many damaged copies; returns how many were refused. Anything but Error propagates and fails the test.
+// Loads a number of damaged copies; returns how many were refused. Anything but Error propagates and fails the test.
 template <class Load>
 int countRefused(const std::string& good, std::uint32_t seed, int copies, const Load& load) {
     Mutator mutator(seed);

@@ -1,5 +1,5 @@
-// Scenes from text, for tests: files in a folder of their own that goes when the test ends, and errors whose place is
-// marked in the text itself.
+// Scenes from text, for tests: files in their own folder, removed when the test ends, and errors whose place is marked
+// in the text itself.
 #pragma once
 
 #include "base/error.h"
@@ -25,7 +25,7 @@ public:
         std::filesystem::create_directories(path_);
     }
     ~TemporaryFolder() {
-        std::error_code ignored; // a destructor cannot report it, and the folder is the system's to clean
+        std::error_code ignored; // a destructor cannot report it, and the system cleans up the folder
         std::filesystem::remove_all(path_, ignored);
     }
     TemporaryFolder(const TemporaryFolder&) = delete;
@@ -70,7 +70,7 @@ struct MarkedText {
     }
 };
 
-// The Error that a call throws; none when it returns. Anything else that is thrown fails the test.
+// The Error that a call throws; none if it returns. Any other exception fails the test.
 template <class Call>
 std::optional<Error> errorOf(const Call& call) {
     try {

@@ -1,4 +1,4 @@
-// What right scene files mean: the shipped scenes' values, defaults, and shapes baked through hand-derived transforms.
+// Values of valid scene files: the shipped scenes, defaults, and shapes baked through hand-derived transforms.
 #include "unit/scene/scene_test_support.h"
 
 #include "scene/model/bounds.h"
@@ -215,7 +215,7 @@ TEST_CASE("a matrix is read row by row") {
     CHECK_THAT(sphere.radius, WithinAbs(1, 1e-12));
 }
 
-TEST_CASE("metals have the index of their name or of their own, and materials are smooth where nothing is said") {
+TEST_CASE("metals have the index of their name or a given one, and materials are smooth by default") {
     TemporaryFolder folder;
     const Scene scene =
         loadScene(folder.write("scene.yaml", "hyalite: 1\n"

@@ -1,5 +1,4 @@
-// The JSON Schema and the documentation know the keys that the loader knows: the loader is asked, by an unknown key,
-// for those it has.
+// The JSON Schema and the documentation have the loader's keys; an unknown key makes the loader list them.
 #include "unit/scene/scene_test_support.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-"""The JSON Schema accepts every scene that is shipped, and refuses what the loader refuses: argument, source folder."""
+"""The JSON Schema accepts every scene that is shipped, and refuses what the loader refuses. Argument: the source folder."""
 
 import copy
 import json

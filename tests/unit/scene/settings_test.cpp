@@ -108,7 +108,7 @@ TEST_CASE("a wrong setting names the option and leaves the scene as it was") {
     }
 }
 
-TEST_CASE("an integrator that the present depth does not suit is refused") {
+TEST_CASE("an integrator that does not allow the current depth is refused") {
     Scene scene;
     applySetting(scene, "render.max_depth", "255");
     const auto error = errorOf([&] { applySetting(scene, "render.integrator", "whitted", "--integrator"); });
@@ -140,7 +140,7 @@ TEST_CASE("of several assignments to one setting the last counts") {
     CHECK(scene.render.photons == 7);
 }
 
-TEST_CASE("a mistake between settings names the option that gave the one at fault") {
+TEST_CASE("a conflict between settings names the option of the faulty one") {
     Scene scene;
     const std::vector<SettingAssignment> bad{{"render.integrator", "whitted", "--integrator"},
                                              {"render.seed", "3", "--seed"},
@@ -187,7 +187,7 @@ TEST_CASE("the depths of each integrator are within the range of the key") {
     }
 }
 
-TEST_CASE("only what leaves every pass as it is may differ between checkpoints") {
+TEST_CASE("only settings that leave every pass unchanged may differ between checkpoints") {
     std::set<std::string> free;
     for (const Setting& setting : settingsTable()) {
         if (!setting.affectsPicture) {

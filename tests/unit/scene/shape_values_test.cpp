@@ -1,5 +1,5 @@
-// What shapes in a scene file come to: each is compared with its formula, written out here in the file's coordinates,
-// at random points and under a transform that stretches, turns and mirrors.
+// Shapes of a scene file: each is compared with its formula, written out here in the file's coordinates, at random
+// points and under a transform that stretches, turns and mirrors.
 #include "unit/scene/random_points.h"
 #include "unit/scene/scene_test_support.h"
 
@@ -40,7 +40,7 @@ bool isWithin(const Bounds& box, const dvec3& p) {
     return glm::all(glm::greaterThanEqual(p, box.low)) && glm::all(glm::lessThanEqual(p, box.high));
 }
 
-// Whether the solid holds a point of the world, from the struct's own definition.
+// True if the solid contains a world point, from the struct's own definition.
 bool holds(const Shape& shape, const dvec3& world) {
     const auto local = [&](const dmat4& objectToWorld) {
         return dvec3(glm::inverse(objectToWorld) * glm::dvec4(world, 1));
@@ -60,7 +60,7 @@ bool holds(const Shape& shape, const dvec3& world) {
     return glm::length(world - sphere.center) <= sphere.radius;
 }
 
-// The shape must hold the image of each point that the formula holds, and no other.
+// The shape must contain the image of each point that satisfies the formula, and no other.
 void checkHolds(const std::string& text, const std::function<bool(const dvec3&)>& formula) {
     INFO(text);
     const Shape plain = loadShape(text);
@@ -163,7 +163,7 @@ TEST_CASE("the bounds of a turned torus touch it") {
     checkNear(box.low, -box.high);
 }
 
-TEST_CASE("named quadrics hold the points that their formulas say, about their centre and along their axis") {
+TEST_CASE("named quadrics hold the points of their formulas, about their centre and along their axis") {
     checkHolds("{type: ellipsoid, center: [0.5, 0, 0], radii: [1, 2, 1.5]}",
                [](const dvec3& p) { return square(p.x - 0.5) + square(p.y / 2) + square(p.z / 1.5) <= 1; });
     checkHolds("{type: paraboloid, radii: [1, 0.5, 2], clip: {max: [null, 2, null]}}",
@@ -258,7 +258,7 @@ TEST_CASE("a shape's own transform goes before its object's, and its own materia
     CHECK(scene.objects.at(0).material == 1);
 }
 
-TEST_CASE("shapes that end have finite bounds, also where only their formula says so") {
+TEST_CASE("bounded shapes have finite bounds, even if only their formula implies it") {
     const auto isBounded = [](const std::string& text) {
         const Scene scene = loadWithShape(text, kTransform);
         return isFinite(worldBounds(scene, scene.objects.at(0)));

@@ -20,7 +20,7 @@ TEST_CASE("the edit distance counts insertions, deletions, replacements and swap
     CHECK(editDistance("ca", "abc") == 3);         // a swapped pair is not edited again
 }
 
-TEST_CASE("a hint names the nearest known word, or all of them when none is near") {
+TEST_CASE("a hint names the nearest known word, or all words if none is near") {
     const std::array<std::string, 3> known{"diffuse", "mirror", "dielectric"};
     CHECK(spellingHint("miror", known) == "did you mean 'mirror'?");
     CHECK(spellingHint("dilectric", known) == "did you mean 'dielectric'?");
@@ -57,7 +57,7 @@ TEST_CASE("numbers are read whole, in every form that YAML and mesh files use") 
     }
 }
 
-TEST_CASE("a number that no double can hold is infinite or nothing by its size, however it is written") {
+TEST_CASE("a number outside the range of double becomes infinity or zero by its size, however it is written") {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const std::string zeros(400, '0');
     CHECK(parseNumber("0." + zeros + "1") == 0.0); // 10^-401
@@ -77,7 +77,7 @@ TEST_CASE("a number that no double can hold is infinite or nothing by its size, 
     CHECK(parseNumber("1" + zeros + "e-400") == 1.0);
 }
 
-TEST_CASE("a number is shown as briefly as it reads back") {
+TEST_CASE("a number is printed with the fewest digits that read back") {
     CHECK(numberText(0.1) == "0.1");
     CHECK(numberText(65536) == "65536");
     CHECK(numberText(-1) == "-1");

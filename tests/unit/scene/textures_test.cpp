@@ -94,7 +94,7 @@ TEST_CASE("metallic-roughness takes its colour and its two numbers from textures
     CHECK(plain.model.roughness == 0.5);
 }
 
-TEST_CASE("an image is read as linear light, its numbers as they are where asked") {
+TEST_CASE("an image is read as linear light, or as raw numbers on request") {
     TemporaryFolder folder;
     writeImage(folder.path() / "i.png", redAndGray(), {});
     writeImage(folder.path() / "i.exr", redAndGray(), {});
@@ -110,7 +110,7 @@ TEST_CASE("an image is read as linear light, its numbers as they are where asked
     CHECK_THAT(grayOf("file: i.exr"), WithinAbs(0.5029, 1e-7));
 }
 
-TEST_CASE("mistakes in textures are reported where they stand") {
+TEST_CASE("mistakes in textures are reported with their place") {
     const std::string mirror = "materials: {m: {type: mirror, reflectance: {texture: t}}}\n" + kObject;
     checkAll({
         {kStart + "textures: {t: {type: $noise}}\n" + mirror, "unknown texture type 'noise'", "known: checker, image"},
@@ -150,7 +150,7 @@ TEST_CASE("a shape without surface coordinates refuses a texture that needs them
     });
 }
 
-TEST_CASE("a texture with numbers beyond 1 is refused, and so is what is no picture") {
+TEST_CASE("a texture with numbers beyond 1 is refused, and so is a file that is not a picture") {
     TemporaryFolder folder;
     Image bright = redAndGray();
     bright.at(0, 1).y = 1.5F;
@@ -167,7 +167,7 @@ TEST_CASE("a texture with numbers beyond 1 is refused, and so is what is no pict
     CHECK_THAT(whatOf("text.png"), ContainsSubstring("no PNG, JPEG or EXR file"));
 }
 
-TEST_CASE("OBJ corners of one place with different texture coordinates become vertices of their own") {
+TEST_CASE("OBJ corners at one position with different texture coordinates become separate vertices") {
     // Two triangles of a square; the second has other coordinates at one of the two corners that they share
     const Mesh mesh = parseObj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
                                "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5\n"
@@ -249,7 +249,7 @@ TEST_CASE("a glTF texture that cannot be shown is refused, unless the object has
     CHECK_THAT(messageOf(), ContainsSubstring("the image '../none.png' must be a file in the folder"));
 }
 
-TEST_CASE("a texture in GLSL is read with its parameters, and is called as its file is") {
+TEST_CASE("a texture in GLSL is read with its parameters, and is named after its file") {
     TemporaryFolder folder;
     folder.write("wood.glsl", "vec3 wood(vec3 position, vec2 uv, vec4 parameters) {\n    return vec3(0.5);\n}\n");
     const Scene scene = loadWith(folder, "{type: custom, file: wood.glsl, parameters: [1, -2.5]}",
@@ -274,7 +274,7 @@ TEST_CASE("a material in GLSL is read with its parameters and its roughness") {
     CHECK(model.roughness == 0.4);
 }
 
-TEST_CASE("code of a scene must lie in its folder, be named like its function and need no preprocessor") {
+TEST_CASE("code of a scene must be in its folder, be named like its function and need no preprocessor") {
     TemporaryFolder folder;
     folder.write("outside.glsl", "vec3 outside(vec3 p, vec2 uv, vec4 k) { return p; }\n");
     const auto inner = folder.path() / "inner";
