@@ -202,7 +202,7 @@ class Reports(RenderTest):
         # Together these run every kernel except those of the self-test, the tests and the live page, and clear buffers
         # in between.
         kernels = {path.stem for path in (Setup.source / "shaders/kernels").glob("*.comp")}
-        expected = kernels - {"self_test", "nearest_photons", "show_surface"} | {"clear"}
+        expected = kernels - {"self_test", "nearest_photons", "show_surface"} | {"clear", "copy", "set"}
         found = set()
         materials = scene_file("tests/all-materials.yaml")
         for scene, integrator, *settings in (

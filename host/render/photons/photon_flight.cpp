@@ -24,8 +24,9 @@ std::uint32_t PhotonFlight::follow(const Course& course) {
     if (course.count == 0) {
         return 0;
     }
-    const double expected = kMoreSlots * slotsPerPhoton_ * double(course.count);
-    bool waits = course.onlyOnce || slotsPerPhoton_ == 0 || device_.commands.runsOneByOne();
+    double& slotsPerPhoton = slotsPerPhoton_.at(course.kind);
+    const double expected = kMoreSlots * slotsPerPhoton * double(course.count);
+    bool waits = course.onlyOnce || slotsPerPhoton == 0 || device_.commands.runsOneByOne();
     if (!waits) {
         reserve(course.firstSlot + std::max(std::uint64_t{course.count}, static_cast<std::uint64_t>(expected)));
     }
@@ -34,7 +35,7 @@ std::uint32_t PhotonFlight::follow(const Course& course) {
         // Of the photons in flight at each bounce, those of the first may have used slots that are used again
         const std::uint32_t slots = end.before - (course.storesFirst ? 0 : std::min(course.count, end.before));
         if (waits || std::uint64_t{course.firstSlot} + slots <= room()) {
-            slotsPerPhoton_ = std::max(slotsPerPhoton_, double(slots) / double(course.count));
+            slotsPerPhoton = std::max(slotsPerPhoton, double(slots) / double(course.count));
             raysTraced_ += end.before;
             return slots;
         }

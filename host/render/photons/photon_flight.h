@@ -6,6 +6,7 @@
 #include "render/upload/device_scene.h"
 #include "render/wavefront/path_queue.h"
 
+#include <array>
 #include <functional>
 
 namespace hyalite::render {
@@ -15,6 +16,8 @@ public:
     // References are kept. `atOnce`: photons in flight at most.
     PhotonFlight(Device& device, const DeviceScene& deviceScene, std::uint32_t atOnce);
 
+    static constexpr std::uint32_t kKinds = 2;
+
     // Where a bounce stands.
     struct Bounce {
         std::uint32_t depth;       // segments from the light to the hits
@@ -22,6 +25,7 @@ public:
         std::uint32_t firstPhoton; // see ScatterPhotonArguments
     };
     struct Course {
+        std::uint32_t kind;         // below kKinds: photons of one kind take about as many slots each
         std::uint32_t count;        // photons that start, capacity() at most
         std::uint32_t firstSlot;    // where their slots begin
         std::uint32_t maxDepth;     // segments
@@ -55,7 +59,7 @@ private:
     Compaction compaction_;
     PhotonQueue queue_;
     gpu::Array<shared::Photon> photons_;
-    double slotsPerPhoton_ = 0; // most so far; 0: none was followed
+    std::array<double, kKinds> slotsPerPhoton_{}; // most so far, by kind; 0: none was followed
     std::uint64_t raysTraced_ = 0;
 };
 

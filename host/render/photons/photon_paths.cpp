@@ -32,7 +32,8 @@ std::uint32_t PhotonPaths::trace(const PhotonPass& pass) {
 
 std::uint32_t PhotonPaths::tracePiece(const PhotonPass& pass, std::uint32_t first, std::uint32_t count,
                                       std::uint32_t firstSlot) {
-    return flight_.follow({.count = count,
+    return flight_.follow({.kind = pass.aimed ? 1U : 0U,
+                           .count = count,
                            .firstSlot = firstSlot,
                            // The last segment belongs to the camera
                            .maxDepth = scene_.render.maxDepth - std::min(scene_.render.maxDepth, 1U),

@@ -24,7 +24,8 @@ std::uint32_t ShadowPhotonPaths::cast(std::uint32_t count) {
 
 std::uint32_t ShadowPhotonPaths::castPiece(std::uint32_t first, std::uint32_t count, std::uint32_t ofPass,
                                            std::uint32_t firstSlot) {
-    return flight_.follow({.count = count,
+    return flight_.follow({.kind = 0,
+                           .count = count,
                            .firstSlot = firstSlot,
                            .maxDepth = shared::kMaxDepth,
                            .storesFirst = true,
