@@ -1,4 +1,4 @@
-// Buffers, each with an allocation of its own: there are a few dozen, and devices allow thousands.
+// Buffers, each with its own allocation: there are a few dozen, and devices allow thousands.
 #include "gpu/buffer_impl.h"
 #include "gpu/staging.h"
 
@@ -10,7 +10,7 @@ namespace {
 
 using Property = vk::MemoryPropertyFlagBits;
 
-// Bytes that heap `index` can still give.
+// Bytes still free in heap `index`.
 vk::DeviceSize roomInHeap(const Context::Impl& context, std::uint32_t index) {
     if (!context.memoryBudget) {
         return context.physical.getMemoryProperties().memoryHeaps[index].size;
@@ -23,7 +23,7 @@ vk::DeviceSize roomInHeap(const Context::Impl& context, std::uint32_t index) {
     return budget.heapBudget[index] > used ? budget.heapBudget[index] - used : 0;
 }
 
-// What to look for in memory types, the best first.
+// Preferences for memory types, best first.
 struct Wish {
     vk::MemoryPropertyFlags has;
     vk::MemoryPropertyFlags lacks = {};
@@ -39,7 +39,7 @@ std::vector<Wish> wishesFor(Memory memory) {
             {.has = visible}};
 }
 
-// A memory type with room.
+// A memory type with enough room.
 std::optional<std::uint32_t> memoryType(const Context::Impl& context, const vk::MemoryRequirements& requirements,
                                         Memory wanted) {
     const vk::PhysicalDeviceMemoryProperties memory = context.physical.getMemoryProperties();
@@ -56,7 +56,7 @@ std::optional<std::uint32_t> memoryType(const Context::Impl& context, const vk::
     return std::nullopt;
 }
 
-// Does the host see what lies there, without calls to make writes seen?
+// Is the memory type mapped and coherent for the host?
 bool isVisible(const Context::Impl& context, std::uint32_t type) {
     const vk::MemoryPropertyFlags visible = Property::eHostVisible | Property::eHostCoherent;
     return (context.physical.getMemoryProperties().memoryTypes[type].propertyFlags & visible) == visible;
@@ -73,16 +73,16 @@ Error noRoom(const std::string& name, std::size_t bytes, const std::string& why)
 std::uint32_t requireMemoryType(const Context::Impl& context, const Buffer::Impl& buffer, Memory memory) {
     const vk::MemoryRequirements requirements = buffer.buffer.getMemoryRequirements();
     if (requirements.size > context.maxAllocation) {
-        throw noRoom(buffer.name, buffer.bytes, "the device allocates less than that at once");
+        throw noRoom(buffer.name, buffer.bytes, "larger than the device's largest allocation");
     }
     const std::optional<std::uint32_t> type = memoryType(context, requirements, memory);
     if (!type) {
-        throw noRoom(buffer.name, buffer.bytes, "the device has less than that left");
+        throw noRoom(buffer.name, buffer.bytes, "more than the device has left");
     }
     return *type;
 }
 
-// Gives the buffer its memory, and maps it where the host sees it.
+// Allocates the buffer's memory, and maps it if the host can see it.
 void allocate(const Context::Impl& context, Buffer::Impl& buffer, Memory memory) {
     const std::uint32_t type = requireMemoryType(context, buffer, memory);
     const vk::MemoryAllocateFlagsInfo flags{.flags = vk::MemoryAllocateFlagBits::eDeviceAddress};
@@ -112,16 +112,16 @@ void requireWithin(const Buffer& buffer, std::size_t offset, std::size_t bytes) 
 Buffer::Buffer(const Context& owner, std::size_t bytes, std::string name, Memory memory)
     : impl_(std::make_unique<Impl>()) {
     Context::Impl& context = owner.impl();
-    const std::string what = "making buffer '" + name + '\'';
+    const std::string what = "creating buffer '" + name + '\'';
     impl_->name = std::move(name);
     impl_->bytes = bytes;
     if (bytes == 0) {
         throw Error(ExitCode::Device, what + ": a buffer needs at least one byte");
     }
-    // Whole texels, so that any buffer may be shown as a table and cleared in words.
+    // Whole texels, so that any buffer can be bound as a table and cleared in words.
     const vk::DeviceSize size = (vk::DeviceSize(bytes) + kTexelBytes - 1) / kTexelBytes * kTexelBytes;
     if (size < bytes || size > context.maxAllocation) {
-        throw noRoom(impl_->name, bytes, "the device allocates less than that at once");
+        throw noRoom(impl_->name, bytes, "larger than the device's largest allocation");
     }
     checked(what, [&] {
         using Usage = vk::BufferUsageFlagBits;
@@ -188,7 +188,7 @@ void Buffer::write(std::span<const std::byte> from, std::size_t offset) const {
 }
 
 void refuseHostAccess(const Buffer& buffer) {
-    throw Error(ExitCode::BadInput, "the host does not see the memory of '" + buffer.impl()->name + '\'',
+    throw Error(ExitCode::BadInput, "the memory of '" + buffer.impl()->name + "' is not host-visible",
                 "read() and write() copy it");
 }
 

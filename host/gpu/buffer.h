@@ -1,4 +1,4 @@
-// Device memory: reached from kernels by its address, or as a table of vec4 texels.
+// Device memory: kernels access it by address, or as a table of vec4 texels.
 #pragma once
 
 #include "gpu/context.h"
@@ -11,10 +11,10 @@
 
 namespace hyalite::gpu {
 
-// Where a buffer lies.
+// The memory that a buffer is allocated in.
 enum class Memory {
-    Device, // where kernels reach it fastest; the host reads and writes it by copies if it does not see that memory
-    Host,   // always mapped: for the little that the host and kernels hand each other
+    Device, // fastest for kernels; the host reads and writes it by copies if that memory is not mapped
+    Host,   // always mapped: for small data exchanged between the host and kernels
 };
 
 // Device memory. Its contents are undefined at first.
@@ -30,12 +30,12 @@ public:
     [[nodiscard]] std::size_t bytes() const;
     [[nodiscard]] std::uint64_t address() const;
 
-    // Copies from or to the buffer, from byte `offset` on; no dispatch that uses it may be in flight.
-    // Throws Error(Device) when the device fails, Error(BadInput) beyond the buffer's end.
+    // Copies from or to the buffer, from byte `offset` on; no dispatch that uses it may be in flight. Throws
+    // Error(Device) if the device fails, Error(BadInput) beyond the buffer's end.
     void read(std::span<std::byte> to, std::size_t offset = 0) const;
     void write(std::span<const std::byte> from, std::size_t offset = 0) const;
 
-    // The buffer itself; empty where the host does not see it, never with Memory::Host.
+    // The buffer's mapped memory; empty if the host cannot see it, never with Memory::Host.
     [[nodiscard]] std::span<std::byte> mapped() const;
 
     struct Impl;
@@ -47,7 +47,7 @@ private:
 
 [[noreturn]] void refuseHostAccess(const Buffer& buffer);
 
-// A buffer of `count` T. Never of size zero: an empty array holds one element that nobody reads.
+// A buffer of `count` T. Never of size zero: an empty array holds one unused element.
 template <class T>
 class Array {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -63,7 +63,7 @@ public:
 
     [[nodiscard]] std::size_t count() const { return count_; }
     [[nodiscard]] const Buffer& buffer() const { return buffer_; }
-    // The device address in the type that the kernel's arguments want, e.g. shared::RayArray.
+    // The device address in the type of the kernel's arguments, e.g. shared::RayArray.
     template <class DeviceArray>
     [[nodiscard]] operator DeviceArray() const {
         return DeviceArray{buffer_.address()};
@@ -85,8 +85,8 @@ public:
         return values;
     }
     [[nodiscard]] T read(std::size_t index) const { return read(index, 1).front(); }
-    // The elements in place: for arrays with Memory::Host; of others it throws Error(BadInput) where the host does not
-    // see them.
+    // The mapped elements: for arrays with Memory::Host; for others it throws Error(BadInput) if the host cannot see
+    // the memory.
     [[nodiscard]] std::span<T> host() const {
         const std::span<std::byte> bytes = buffer_.mapped();
         if (count_ > 0 && bytes.empty()) {
@@ -110,11 +110,11 @@ public:
     TexelTables(TexelTables&&) noexcept;
     TexelTables& operator=(TexelTables&&) noexcept;
 
-    // Shows `buffer` (16 bytes a texel) at `binding`; the buffer must outlive its use. Not between a Commands::run and
-    // the finish that follows. An empty buffer, like a binding never set (Float4), shows one texel of zeros.
-    // Throws Error(Device) when it has more texels than the device allows.
+    // Binds `buffer` (16 bytes a texel) at `binding`; the buffer must outlive its use. Not between a Commands::run and
+    // the next finish. An empty buffer, like a binding never set (Float4), reads as one texel of zeros. Throws
+    // Error(Device) if it has more texels than the device allows.
     void set(std::uint32_t binding, const Buffer& buffer, TexelFormat format);
-    // Device address of the buffer shown at `binding`.
+    // Device address of the buffer bound at `binding`.
     [[nodiscard]] std::uint64_t shown(std::uint32_t binding) const;
 
     struct Impl;

@@ -1,4 +1,4 @@
-// What a Buffer and the texel tables hold.
+// The contents of a Buffer and of the texel tables.
 #pragma once
 
 #include "gpu/buffer.h"
@@ -10,12 +10,12 @@ inline constexpr std::size_t kTexelBytes = 16;
 
 struct Buffer::Impl {
     std::string name;
-    std::size_t bytes = 0; // as asked for; the Vulkan buffer is rounded up to whole texels
+    std::size_t bytes = 0; // as requested; the Vulkan buffer is rounded up to whole texels
     vk::raii::DeviceMemory memory = nullptr;
     vk::raii::Buffer buffer = nullptr;
-    std::byte* mapped = nullptr; // none where the host does not see it
+    std::byte* mapped = nullptr; // null if the host cannot see it
     std::uint64_t address = 0;
-    Context::Impl* owner = nullptr; // that lists this buffer by its address
+    Context::Impl* owner = nullptr; // lists this buffer by its address
 
     Impl() = default;
     Impl(const Impl&) = delete;
@@ -29,18 +29,19 @@ struct TexelTables::Impl {
     vk::raii::DescriptorSetLayout layout = nullptr;
     vk::raii::DescriptorPool pool = nullptr;
     vk::raii::DescriptorSet set = nullptr;
-    std::vector<vk::raii::BufferView> views; // one a binding
+    std::vector<vk::raii::BufferView> views; // one per binding
     std::vector<TexelFormat> formats;        // of the views
-    std::vector<std::uint64_t> addresses;    // of what they show
+    std::vector<std::uint64_t> addresses;    // of the buffers they show
 
-    // Puts a view of the buffer into the set; it must live as long as it is there.
+    // Writes a view of the buffer into the set; the view must live as long as it is bound.
     [[nodiscard]] vk::raii::BufferView show(std::uint32_t binding, const Buffer::Impl& shown, TexelFormat format) const;
 
-    // In the checked build: what kernels know of the buffers, and report of their indices.
+    // In the checked build: the table of buffers that kernels check against, and their report.
     Buffer checks;
     vk::raii::BufferView checksView = nullptr;
-    void describeBuffers() const;                                                          // before a dispatch
-    [[nodiscard]] std::string indexOutside(const std::vector<std::string>& sources) const; // after it: "" or what was
+    void describeBuffers() const; // before a dispatch
+    [[nodiscard]] std::string
+    indexOutside(const std::vector<std::string>& sources) const; // after it: "" or the access out of bounds
 };
 
 } // namespace hyalite::gpu

@@ -1,4 +1,4 @@
-// Rewrites GLSL by its brackets: enough for what our shaders hold, and a kernel that it breaks does not compile.
+// Rewrites GLSL by matching brackets: enough for our shaders, and a kernel that it breaks fails to compile.
 #include "gpu/checked_kernels.h"
 
 #include <cctype>
@@ -13,7 +13,7 @@ bool isWord(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-// Where the bracket that opens at `open` closes.
+// Position of the bracket that closes the one at `open`.
 std::size_t closing(const std::string& text, std::size_t open) {
     const char opens = text[open];
     const char closes = opens == '[' ? ']' : ')';
@@ -27,7 +27,7 @@ std::size_t closing(const std::string& text, std::size_t open) {
     return text.size() - 1;
 }
 
-// Where the expression that ends before `end` begins: names, dots, and brackets with what they hold.
+// Start of the expression that ends before `end`: names, dots, and brackets with their contents.
 std::size_t beginningOf(const std::string& text, std::size_t end) {
     std::size_t begin = end;
     while (begin > 0) {
@@ -80,7 +80,7 @@ public:
     }
 
 private:
-    // Each returns where to go on: behind what it put in, at the index, which may hold more.
+    // Each returns the position to continue at: after the inserted text, at the index, which may contain more accesses.
     std::size_t rewriteDeviceArray(std::size_t dot) {
         const std::size_t open = dot + 3;
         const std::size_t close = closing(text_, open);
@@ -89,7 +89,7 @@ private:
         const std::string index = text_.substr(open + 1, close - open - 1);
         const std::string head = '(' + array + " + checkedIndex(uvec2(" + array + "), uvec2(" + array + " + 1), uint(";
         text_.replace(begin, close + 1 - begin,
-                      head + index + "), " + site_ + ")).at [0]"); // the blank keeps it from being rewritten again
+                      head + index + "), " + site_ + ")).at [0]"); // the space keeps it from being rewritten again
         return begin + head.size();
     }
     std::size_t rewriteTexel(std::size_t call) {
@@ -124,7 +124,7 @@ private:
     std::string site_;
 };
 
-// Statements may span lines, and glslang counts them: what is rewritten is a text of as many lines.
+// Statements may span lines, and glslang counts lines: the rewritten text has as many.
 bool isDirective(const std::string& line) {
     const std::size_t first = line.find_first_not_of(" \t");
     return first != std::string::npos && (line[first] == '#' || line.compare(first, 2, "//") == 0);
@@ -135,7 +135,7 @@ bool isDirective(const std::string& line) {
 std::string withBoundChecks(const std::string& text, std::uint32_t file) {
     const std::set<std::string> arrays = declaredArrays(text);
     std::string rewritten;
-    std::string piece; // lines until their brackets are closed
+    std::string piece; // lines up to matching brackets
     std::uint32_t line = 0;
     std::uint32_t firstLine = 0;
     const auto flush = [&] {
@@ -159,7 +159,7 @@ std::string withBoundChecks(const std::string& text, std::uint32_t file) {
             continue;
         }
         firstLine = piece.empty() ? line : firstLine;
-        const std::size_t comment = whole.find("//"); // which may hold brackets of its own
+        const std::size_t comment = whole.find("//"); // it may contain brackets
         piece += comment == std::string::npos ? whole : whole.substr(0, comment) + '\n';
         if (depth(piece) <= 0) {
             flush();

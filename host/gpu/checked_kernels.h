@@ -1,6 +1,6 @@
 // The checked build of the kernels (preset `checked`): every index into an array of device memory, a private array or a
-// table goes through a check of its bounds (shaders/lib/checked.glsl). An index outside is reported with its kernel,
-// source line and thread, and reads or writes element 0 instead.
+// table is bounds-checked (shaders/lib/checked.glsl). An index out of bounds is reported with its kernel, source line
+// and thread, and accesses element 0 instead.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@ inline constexpr bool kCheckedKernels = true;
 inline constexpr bool kCheckedKernels = false;
 #endif
 
-// The binding, beyond all tables, where kernels find how long every buffer is.
+// The binding, beyond all tables, from which kernels read the size of every buffer.
 inline constexpr std::uint32_t kCheckBinding = 31;
 
 // A shader's text with its accesses rewritten: `x.at[i]` to `(x + checkedIndex(x, x + 1, i, site)).at [0]`, `a[i]` of
 // an array that the text declares to `a[checkedEntry(i, a.length(), site)]`, `texelFetch(t, i)` to `texelFetch(t,
-// checkedTexel(t, i, site))`. A site is the line, and above kSiteLineBits `file`.
+// checkedTexel(t, i, site))`. A site is the line number, with `file` above kSiteLineBits.
 inline constexpr std::uint32_t kSiteLineBits = 16;
 [[nodiscard]] std::string withBoundChecks(const std::string& text, std::uint32_t file);
 

@@ -1,4 +1,4 @@
-// Records dispatches with a barrier after each, submits them in portions, and reads the timestamps back.
+// Records dispatches with a barrier after each, submits them in portions, and reads back the timestamps.
 #include "gpu/commands.h"
 
 #include "base/numbers.h"
@@ -17,10 +17,10 @@
 namespace hyalite::gpu {
 namespace {
 
-// Threads of one dispatch: a full row of groups. A GPU that draws the desktop as well stops what runs for seconds.
+// Groups of one dispatch: a full row. A GPU that also drives a display kills work that runs for seconds.
 constexpr std::uint32_t kGroupsPerPiece = shared::kGroupsPerRow;
 
-// Threads of one submission, which is what a GPU's watchdog watches.
+// Threads of one submission, the unit that a GPU's watchdog times.
 constexpr std::uint64_t kThreadsPerSubmission = std::uint64_t(1) << 23U;
 
 constexpr std::uint32_t kQueriesPerPool = 256;
@@ -31,11 +31,11 @@ struct Span {
     std::string name;
     std::uint64_t dispatches = 0;
     std::uint64_t threads = 0;
-    const ThreadCount* onDevice = nullptr; // while it is recorded: where the number of threads stands
-    bool isCounted = false;                // it is among Impl::counts
+    const ThreadCount* onDevice = nullptr; // while recording: the number of threads on the device
+    bool isCounted = false;                // its number is in Impl::counts
 };
 
-// Everything before it is done, and seen by everything after it.
+// Everything before it completes, and is visible to everything after it.
 void recordBarrier(const vk::raii::CommandBuffer& buffer, vk::PipelineStageFlags2 after, vk::AccessFlags2 access) {
     using Stage = vk::PipelineStageFlagBits2;
     using Access = vk::AccessFlagBits2;
@@ -58,7 +58,7 @@ std::uint32_t groupsOf(std::uint32_t threads) {
     return (threads - 1) / shared::kGroupSize + 1;
 }
 
-// When nothing runs.
+// The number of threads now; no work may be in flight.
 std::uint32_t countNow(const ThreadCount& threads) {
     if (!threads.isOnDevice()) {
         return threads.most();
@@ -78,7 +78,8 @@ const StructMember* findMember(const KernelInterface& interface, const std::stri
     return nullptr;
 }
 
-// The arguments with the `count` that their `live` gives when nothing runs: see shared/kernel_arguments.h.
+// The arguments with `count` replaced by the present value of `live`, while no work is in flight: see
+// shared/kernel_arguments.h.
 std::vector<std::byte> withCountNow(const Context& context, const KernelInterface& interface,
                                     std::span<const std::byte> arguments) {
     std::vector<std::byte> resolved(arguments.begin(), arguments.end());
@@ -110,15 +111,15 @@ struct Commands::Impl {
     const TexelTables::Impl& tables;
     bool timed;
     vk::raii::CommandPool pool = nullptr;
-    std::vector<vk::raii::CommandBuffer> buffers; // the first `used` hold work that is not finished
+    std::vector<vk::raii::CommandBuffer> buffers; // the first `used` hold unfinished work
     std::size_t used = 0;
-    bool recording = false;            // into the last used one
+    bool recording = false;            // into the last used buffer
     std::uint64_t threadsRecorded = 0; // in it
     vk::raii::Fence fence = nullptr;
     std::vector<vk::raii::QueryPool> queries;
-    std::vector<Array<std::uint32_t>> counts; // by pool: threads of each span whose number stands on the device
-    std::vector<Span> spans;                  // of the work that is not finished; span i has timestamps 2 i and 2 i + 1
-    std::set<std::string> stages;             // of the work that is not finished
+    std::vector<Array<std::uint32_t>> counts; // by pool: threads of each span whose number is on the device
+    std::vector<Span> spans;                  // of the unfinished work; span i has timestamps 2 i and 2 i + 1
+    std::set<std::string> stages;             // of the unfinished work
     std::map<std::string, StageTime> times;
     std::shared_ptr<std::vector<DispatchObserver*>> observers = std::make_shared<std::vector<DispatchObserver*>>();
 
@@ -127,15 +128,15 @@ struct Commands::Impl {
           pool(context.device, vk::CommandPoolCreateInfo{.queueFamilyIndex = context.queueFamily}),
           fence(context.device, vk::FenceCreateInfo{}) {}
 
-    // The command buffer being recorded; begins one where there is none.
+    // The command buffer being recorded; begins one if there is none.
     const vk::raii::CommandBuffer& recorder();
-    // Ends the command buffer and hands it to the queue; a fence is signalled when all work so far is done.
+    // Ends the command buffer and submits it; `signal` signals when all work so far is done.
     void submit(vk::Fence signal);
     void writeTimestamp(std::size_t index);
     // Records `body` between two timestamps and a barrier after it.
     template <class Body>
     void record(const Span& span, const Body& body);
-    // Keeps the number of threads that the next span has on the device.
+    // Copies the next span's number of threads from the device.
     void copyCount(const ThreadCount& threads);
     void addTimes();
     [[nodiscard]] std::string stageNames() const;
@@ -209,7 +210,7 @@ void Commands::Impl::copyCount(const ThreadCount& threads) {
 
 void Commands::Impl::addTimes() {
     for (std::size_t i = 0; i < spans.size(); ++i) {
-        const std::size_t first = 2 * i; // both of a span are in one pool: its size is even
+        const std::size_t first = 2 * i; // both timestamps of a span are in one pool: its size is even
         const auto [result, ticks] = queries[first / kQueriesPerPool].getResults<std::uint64_t>(
             std::uint32_t(first % kQueriesPerPool), 2, 2 * sizeof(std::uint64_t), sizeof(std::uint64_t),
             vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
@@ -233,10 +234,11 @@ std::string Commands::Impl::stageNames() const {
 }
 
 Commands::Commands(const Context& context, const TexelTables& tables, bool timed)
-    : impl_(checked("making a command list", [&] { return std::make_unique<Impl>(context, tables.impl(), timed); })) {}
+    : impl_(checked("creating a command list", [&] { return std::make_unique<Impl>(context, tables.impl(), timed); })) {
+}
 
 Commands::~Commands() {
-    // Portions may be running still, in memory that goes away now.
+    // Portions may still be running, in memory that is about to be freed.
     if (impl_->used > 0) {
         try {
             impl_->context.device.waitIdle();
@@ -274,7 +276,7 @@ void Commands::run(const Kernel& kernel, std::span<const std::byte> arguments, c
     }
 }
 
-// When all work before is finished.
+// Runs the kernel when all work before it is finished.
 void Commands::runAlone(const Kernel& kernel, std::span<const std::byte> arguments, std::uint32_t threads) {
     const std::uint32_t groups = groupsOf(threads);
     if constexpr (kCheckedKernels) {
@@ -300,7 +302,7 @@ void Commands::runAlone(const Kernel& kernel, std::span<const std::byte> argumen
     for (const DispatchObserver* observer : observers) {
         threadsOfPiece = std::min(threadsOfPiece, observer->threadsOfPiece());
     }
-    // lib/thread.glsl counts on it that a piece which does not begin a row begins after as many groups as it has
+    // lib/thread.glsl assumes that a piece which does not begin a row begins after as many groups as it has
     const std::uint32_t wanted = std::max(1U, threadsOfPiece / shared::kGroupSize);
     const std::uint32_t piece = std::min(std::bit_floor(wanted), kGroupsPerPiece);
     for (std::uint32_t first = 0; first < groups;) {
@@ -413,7 +415,7 @@ void Commands::copy(const Buffer& from, const Buffer& to) {
 }
 
 void Commands::set(const Buffer& buffer, std::span<const std::byte> bytes) {
-    constexpr std::size_t kMost = 65536; // that a command may carry
+    constexpr std::size_t kMost = 65536; // limit of vkCmdUpdateBuffer [bytes]
     if (bytes.empty()) {
         return;
     }

@@ -1,4 +1,4 @@
-// Makes the instance, the device and its queue, and listens to the validation layer.
+// Creates the instance, the device and its queue, and receives the validation layer's messages.
 #include "gpu/context_impl.h"
 
 #include "gpu/buffer_impl.h"
@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
 
-// Warnings and errors of the layers; the loader's own chatter ("general") says nothing about our calls.
+// Warnings and errors of the layers; the loader's own messages ("general") say nothing about our calls.
 vk::DebugUtilsMessengerCreateInfoEXT messengerInfo(ValidationLog& log) {
     using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
     using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
@@ -28,7 +28,7 @@ vk::DebugUtilsMessengerCreateInfoEXT messengerInfo(ValidationLog& log) {
                 auto& sink = *static_cast<ValidationLog*>(user);
                 ++sink.messages;
                 sink.handler(data->pMessage);
-                return VK_FALSE; // let the call go on as it would without the layer
+                return VK_FALSE; // let the call proceed as without the layer
             },
             .pUserData = &log};
 }
@@ -52,7 +52,7 @@ vk::raii::Instance makeInstance(const vk::raii::Context& loader, ValidationLog& 
     const std::array layers{kValidationLayer};
     const std::array extensions{VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME};
     const vk::ValidationFeatureEnableEXT synchronization = vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
-    // Heard from the first call on, before there is a messenger.
+    // Receives messages from the first call on, before the messenger exists.
     const vk::DebugUtilsMessengerCreateInfoEXT messenger = messengerInfo(log);
     const vk::ValidationFeaturesEXT features{
         .pNext = &messenger, .enabledValidationFeatureCount = 1, .pEnabledValidationFeatures = &synchronization};

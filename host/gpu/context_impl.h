@@ -1,4 +1,4 @@
-// What a Context holds. Members are in order of creation, so that they are destroyed in reverse.
+// The contents of a Context. Members are in order of creation, so that they are destroyed in reverse.
 #pragma once
 
 #include "gpu/buffer.h"
@@ -21,7 +21,7 @@ struct ListedBuffer {
     std::string name;
     std::size_t bytes = 0;
     const Buffer::Impl* buffer = nullptr;
-    std::vector<std::byte> copy; // for memoryAt, where the host does not see the buffer
+    std::vector<std::byte> copy; // for memoryAt, if the host cannot see the buffer
 };
 
 class Staging;
@@ -34,7 +34,7 @@ struct Context::Impl {
     vk::raii::DebugUtilsMessengerEXT messenger = nullptr;
     vk::raii::PhysicalDevice physical = nullptr;
     std::uint32_t queueFamily = 0;
-    std::uint32_t workers = 1; // threads of the CPU that each take a block of a dispatch's groups; of a GPU one
+    std::uint32_t workers = 1; // CPU threads that each take a block of a dispatch's groups; 1 on a GPU
     vk::raii::Device device = nullptr;
     vk::raii::Queue queue = nullptr;
     std::unique_ptr<Staging> staging;
@@ -43,24 +43,24 @@ struct Context::Impl {
     vk::PhysicalDeviceLimits limits;
     vk::DeviceSize maxAllocation = 0;              // bytes of one memory allocation and of one buffer
     bool memoryBudget = false;                     // VK_EXT_memory_budget says how much of a heap is free
-    std::uint64_t timestampMask = 0;               // the bits of a timestamp that count
-    double secondsPerTick = 0;                     // of a timestamp
-    std::map<std::uint64_t, ListedBuffer> buffers; // that exist, by device address
+    std::uint64_t timestampMask = 0;               // the valid bits of a timestamp
+    double secondsPerTick = 0;                     // timestamp period
+    std::map<std::uint64_t, ListedBuffer> buffers; // existing buffers, by device address
     Watchdog watchdog;
 
-    // Blocks until the fence signals. `stages`: what runs, for the watchdog's error.
+    // Blocks until the fence signals. `stages`: the running kernels, for the watchdog's error.
     void wait(const vk::raii::Fence& fence, const std::string& stages) const;
     void nameObject(vk::ObjectType type, std::uint64_t handle,
                     const std::string& name) const; // for validation messages
 };
 
-// Null when the machine has no Vulkan loader.
+// Null if the machine has no Vulkan loader.
 [[nodiscard]] std::unique_ptr<vk::raii::Context> openLoader();
 
-// One device as it stands in the loader's list.
+// Describes one device of the loader's list.
 [[nodiscard]] DeviceInfo describe(const vk::raii::PhysicalDevice& physical);
 
-// The first queue family that computes.
+// The first queue family with compute support.
 [[nodiscard]] std::uint32_t computeQueueFamily(const vk::raii::PhysicalDevice& physical);
 
 } // namespace hyalite::gpu

@@ -1,4 +1,4 @@
-// What the machine has in Vulkan devices, what each lacks for our kernels, and which one is taken.
+// Lists the machine's Vulkan devices, what each lacks for our kernels, and picks one.
 #include "gpu/context_impl.h"
 #include "gpu/driver_hint.h"
 
@@ -72,7 +72,7 @@ std::string listMissing(const DeviceInfo& device) {
     return text;
 }
 
-// The device of that index, or the only one whose name has `wanted` in it, whatever the case of the letters.
+// The device with that index, or the only one whose name contains `wanted`, ignoring case.
 std::size_t findDevice(const std::vector<DeviceInfo>& devices, const std::string& wanted) {
     const bool isIndex =
         std::all_of(wanted.begin(), wanted.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
@@ -99,7 +99,7 @@ DeviceInfo describe(const vk::raii::PhysicalDevice& physical) {
     info.name = properties.deviceName.data();
     info.software = properties.deviceType == vk::PhysicalDeviceType::eCpu;
     if (properties.apiVersion < VK_API_VERSION_1_3) {
-        // Its newer structs must not even be asked for.
+        // Querying its newer structs would be invalid.
         info.missing.push_back("Vulkan 1.3 (not " + versionText(properties.apiVersion) + ')');
         return info;
     }

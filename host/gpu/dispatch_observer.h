@@ -15,11 +15,11 @@ namespace hyalite::gpu {
 
 struct Dispatch {
     const Kernel& kernel;
-    std::span<const std::byte> arguments; // the push constants; of a queue on the device, `count` is its size now
+    std::span<const std::byte> arguments; // the push constants; for a queue on the device, `count` is its present size
     std::uint32_t threads;                // > 0
 };
 
-// Called on either side of a dispatch, when nothing runs: buffers may be read, but not written.
+// Called before and after each dispatch, while nothing runs: buffers may be read, but not written.
 class DispatchObserver {
 public:
     DispatchObserver() = default;
@@ -30,17 +30,17 @@ public:
     virtual void before(const Dispatch& dispatch) = 0;
     virtual void after(const Dispatch& dispatch) = 0;
 
-    // Does it read the kernels' buffers? Then kernels also write what they could keep to themselves.
+    // Does it read the kernels' buffers? If so, kernels also write data that they could otherwise keep private.
     [[nodiscard]] virtual bool readsBuffers() const { return true; }
 
     // A dispatch runs in pieces of at most this many threads; between() is called after each but the last, and may
-    // throw to leave the rest out.
+    // throw to skip the rest.
     [[nodiscard]] virtual std::uint32_t threadsOfPiece() const { return std::numeric_limits<std::uint32_t>::max(); }
     virtual void between() {}
 };
 
-// Keeps an observer registered with a command list; ends with its scope, however that is left. It may outlive the
-// command list.
+// Keeps an observer registered with a command list until it goes out of scope, by return or exception. It may outlive
+// the command list.
 class [[nodiscard]] Observation {
 public:
     Observation() = default;

@@ -1,4 +1,4 @@
-// The advice that goes with every complaint about a driver.
+// The hint in every error about a driver.
 #pragma once
 
 namespace hyalite::gpu {

@@ -8,7 +8,7 @@
 namespace hyalite::gpu {
 namespace {
 
-// `tables`: how many bindings there are.
+// `tables`: number of bindings.
 void checkInterface(const Kernel::Impl& kernel, const Context::Impl& context, std::size_t tables,
                     const SourceLocation& source) {
     const KernelInterface& interface = kernel.interface;
@@ -35,7 +35,7 @@ void checkInterface(const Kernel::Impl& kernel, const Context::Impl& context, st
     }
 }
 
-// The values that the kernel has constants for, by id.
+// The values of the kernel's specialization constants, by id.
 std::map<std::uint32_t, std::uint32_t> select(Specialization specialization, const KernelInterface& interface,
                                               std::uint32_t workers) {
     specialization["kWorkers"] = workers;
@@ -74,7 +74,7 @@ std::shared_ptr<const Kernel::Impl> make(const Context::Impl& context, const Tex
     checkInterface(*kernel, context, tables.views.size(), {.file = source.string()});
     const SpirV specialized =
         compiler.specialized(name, spirv, select(specialization, kernel->interface, context.workers));
-    checked("making kernel '" + kernel->name + '\'', [&] {
+    checked("creating kernel '" + kernel->name + '\'', [&] {
         const vk::DescriptorSetLayout setLayout = *tables.layout;
         const vk::PushConstantRange range{.stageFlags = vk::ShaderStageFlagBits::eCompute,
                                           .size = (kernel->interface.pushConstantBytes + 3U) & ~3U};

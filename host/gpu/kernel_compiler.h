@@ -1,4 +1,4 @@
-// What a Kernel asks of whoever compiles it.
+// The compiler interface that a Kernel uses.
 #pragma once
 
 #include "gpu/spirv.h"
@@ -13,24 +13,23 @@
 
 namespace hyalite::gpu {
 
-// Implementations are final: a copy is never a part of one.
+// Implementations are final, so copies cannot be sliced.
 class KernelCompiler {
 public:
     virtual ~KernelCompiler() = default;
     KernelCompiler() = default;
 
-    // Compiles kernels/<kernel>.comp. Throws Error(BadInput) at file:line of the source that is wrong, naming the
-    // kernel.
+    // Compiles kernels/<kernel>.comp. Throws Error(BadInput) at the file:line of the source error, naming the kernel.
     [[nodiscard]] virtual SpirV compile(const std::string& kernel) const = 0;
 
-    // What compile(kernel) gave, with values in place of its specialization constants, by id.
+    // The result of compile(kernel), with values in place of its specialization constants, by id.
     [[nodiscard]] virtual SpirV specialized(const std::string& kernel, const SpirV& spirv,
                                             const std::map<std::uint32_t, std::uint32_t>& constants) const = 0;
 
-    // The files that the kernel is made of, relative to shaders(), in the order in which checked builds number them.
+    // The kernel's source files, relative to shaders(), in the order in which checked builds number them.
     [[nodiscard]] virtual std::vector<std::string> sourceFiles(const std::string& kernel) const = 0;
 
-    // A number that changes with any source that these kernels reach. Throws Error(BadInput) where one is not there.
+    // A hash of all sources that these kernels reach. Throws Error(BadInput) if one is missing.
     [[nodiscard]] virtual std::uint64_t hashOfSources(std::span<const std::string_view> kernels) const = 0;
 
     [[nodiscard]] virtual const std::filesystem::path& shaders() const = 0;

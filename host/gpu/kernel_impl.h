@@ -1,4 +1,4 @@
-// What a Kernel holds.
+// The contents of a Kernel.
 #pragma once
 
 #include "gpu/context_impl.h"

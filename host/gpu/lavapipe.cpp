@@ -20,7 +20,8 @@ bool hasAvx512() {
 #endif
 }
 
-// NOLINTBEGIN(concurrency-mt-unsafe): prepareLavapipe() is called while there is one thread, and nobody else sets one
+// NOLINTBEGIN(concurrency-mt-unsafe): prepareLavapipe() is called while there is one thread, and nothing else sets
+// variables
 
 std::string environment(const char* name) {
     const char* value = std::getenv(name);
@@ -42,7 +43,7 @@ void prepareLavapipe(const std::filesystem::path& cacheFolder) {
         return;
     }
     folder /= "driver-width-" + (width.empty() ? "native" : width);
-    std::error_code ignored; // the driver does without
+    std::error_code ignored; // the driver works without a cache
     std::filesystem::create_directories(folder, ignored);
     setenv("MESA_SHADER_CACHE_DIR", folder.c_str(), 1);
 }
@@ -50,7 +51,7 @@ void prepareLavapipe(const std::filesystem::path& cacheFolder) {
 std::uint32_t lavapipeThreads() {
     const std::string given = environment("LP_NUM_THREADS");
     std::uint32_t threads = std::thread::hardware_concurrency();
-    std::from_chars(given.data(), given.data() + given.size(), threads); // stays where nothing is given
+    std::from_chars(given.data(), given.data() + given.size(), threads); // unchanged if the variable is not set
     return std::clamp(threads, 1U, kMostThreads);
 }
 

@@ -1,5 +1,5 @@
-// Reads a kernel's interface out of its SPIR-V with SPIRV-Cross: sizes, specialization constants, and the layout of
-// every struct that the host must match.
+// Reads a kernel's interface from its SPIR-V with SPIRV-Cross: sizes, specialization constants, and the layout of every
+// struct that the host must match.
 #include "gpu/kernel.h"
 
 #include "base/error.h"
@@ -16,13 +16,13 @@ namespace {
 using spirv_cross::SPIRType;
 using spirv_cross::TypeID;
 
-// Walks from the push constants through members and device addresses.
+// Visits the push constants, their members, and the arrays that device addresses refer to.
 class LayoutReader {
 public:
     LayoutReader(const spirv_cross::Compiler& compiler, KernelInterface& interface)
         : compiler_(compiler), interface_(interface) {}
 
-    // Records the struct, and whatever its members contain or point to. Returns its alignment.
+    // Records the struct, and every struct that its members contain or point to. Returns its alignment.
     std::uint32_t visitStruct(TypeID id, const SPIRType& type) {
         std::vector<StructMember> members;
         std::uint32_t alignment = 1;
@@ -99,7 +99,7 @@ private:
         case SPIRType::Int:
             return type.vecsize == 1 ? "int" : "ivec" + size;
         default:
-            throw Error(ExitCode::BadInput, "device array of an element type that the host does not know");
+            throw Error(ExitCode::BadInput, "device array with an unknown element type");
         }
     }
 
@@ -123,18 +123,18 @@ void readPushConstants(const spirv_cross::Compiler& compiler, KernelInterface& i
         }
         alignment = std::max(alignment, reader.visitStruct(type.self, type));
     }
-    // Rounded up as C++ rounds sizeof; scalar layout itself ends with the last member.
+    // Rounded up as C++ rounds sizeof; scalar layout itself ends at the last member.
     const auto end = std::uint32_t(compiler.get_declared_struct_size(block));
     interface.pushConstantBytes = (end + alignment - 1) / alignment * alignment;
 }
 
-// Kernels have no other resources than texel tables: all else is reached by address.
+// Texel tables are the only resources that kernels bind: everything else is accessed by address.
 void readTables(const spirv_cross::Compiler& compiler, KernelInterface& interface) {
     const spirv_cross::ShaderResources resources = compiler.get_shader_resources();
     if (!resources.uniform_buffers.empty() || !resources.storage_buffers.empty() || !resources.storage_images.empty()) {
         throw Error(ExitCode::BadInput, "a kernel may bind texel tables only; use a device array of shared/language.h");
     }
-    // glslang 12 and 15 declare a samplerBuffer in one way each.
+    // glslang 12 and 15 declare a samplerBuffer in different ways.
     for (const auto* images : {&resources.sampled_images, &resources.separate_images}) {
         for (const spirv_cross::Resource& image : *images) {
             const SPIRType& texel = compiler.get_type(compiler.get_type(image.base_type_id).image.type);
@@ -148,7 +148,7 @@ void readTables(const spirv_cross::Compiler& compiler, KernelInterface& interfac
                 texel.basetype == SPIRType::Float ? TexelFormat::Float4 : TexelFormat::Uint4;
         }
     }
-    if constexpr (kCheckedKernels) { // the checks' own
+    if constexpr (kCheckedKernels) { // the table of the bounds checks
         interface.tables.erase(kCheckBinding);
     }
 }

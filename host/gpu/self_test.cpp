@@ -1,4 +1,4 @@
-// Asks the device what the host can work out itself; all values are exact floats, none a zero with a sign or a NaN.
+// Compares the device's results with the host's; all values are exact floats, without signed zeros or NaNs.
 #include "gpu/self_test.h"
 
 #include "base/error.h"
@@ -12,7 +12,7 @@ namespace {
 using shared::SelfTestAnswer;
 using shared::SelfTestRecord;
 
-// Values without meaning, each a different exact float, so that no member can stand in for another.
+// Arbitrary values, each a different exact float, so that no member can be mistaken for another.
 float exact(std::uint32_t i, std::uint32_t member) {
     return float(i * 16 + member);
 }

@@ -1,4 +1,4 @@
-// A dispatch whose answer is known: does the driver compute what the kernels ask for?
+// A dispatch with a known answer: does the driver compute what the kernels need?
 #pragma once
 
 #include "gpu/context.h"
@@ -7,8 +7,8 @@
 namespace hyalite::gpu {
 
 // Runs kernels/self_test.comp: a loop longer than 65 535 rounds, texel fetches, reads of an unaligned struct. Throws
-// Error(Device) that says what came out wrong and what to install: Mesa's lavapipe before version 23 cuts long loops
-// off without a word. Call it once before the first render on a Context.
+// Error(Device) with the wrong result and what to install: Mesa's lavapipe before version 23 silently ends long loops.
+// Call it once before the first render on a Context.
 void selfTest(const Context& context, const KernelCompiler& compiler);
 
 } // namespace hyalite::gpu

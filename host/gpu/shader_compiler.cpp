@@ -19,13 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Changes whenever the options below change what comes out of the same source.
+// Change it whenever the options below change the output for the same source.
 constexpr const char* kCacheFormat = kCheckedKernels ? "hyalite 2, vulkan 1.3, spirv 1.6, inlined, checked"
                                                      : "hyalite 2, vulkan 1.3, spirv 1.6, inlined";
 
 constexpr auto kMessages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
 
-// glslang's tables, set up once in the life of the process.
+// glslang's tables, initialised once per process.
 struct GlslangProcess {
     GlslangProcess() { glslang::InitializeProcess(); }
     ~GlslangProcess() { glslang::FinalizeProcess(); }
@@ -33,8 +33,8 @@ struct GlslangProcess {
     GlslangProcess& operator=(const GlslangProcess&) = delete;
 };
 
-// Gives glslang the texts that were read beforehand: the same that the cache's key is made of, whatever is saved in the
-// meantime. Names are full paths.
+// Gives glslang the texts that were read beforehand: the ones that the cache key was computed from, even if a file is
+// saved in the meantime. Names are full paths.
 class Includer : public glslang::TShader::Includer {
 public:
     Includer(const ShaderSources& sources, const SourceTexts& texts) : sources_(sources), texts_(texts) {}
@@ -42,14 +42,14 @@ public:
     IncludeResult* includeLocal(const char* name, const char* includer, std::size_t /*depth*/) override {
         return include(name, includer);
     }
-    // glslang asks here again after a failure above, and takes the reason from this answer.
+    // glslang calls this after a failure above, and reports the reason from this result.
     IncludeResult* includeSystem(const char* name, const char* includer, std::size_t /*depth*/) override {
         return include(name, includer);
     }
     void releaseInclude(IncludeResult* result) override { delete result; }
 
 private:
-    // glslang owns the result until it gives it back; an empty path marks a failure whose text is the reason.
+    // glslang owns the result until it returns it; an empty path marks a failure whose text is the reason.
     [[nodiscard]] IncludeResult* include(const std::string& name, const std::string& includer) const {
         if (const std::optional<fs::path> file = sources_.resolve(name, includer)) {
             if (const auto found = texts_.find(file->string()); found != texts_.end()) {
@@ -61,10 +61,10 @@ private:
 
     const ShaderSources& sources_;
     const SourceTexts& texts_;
-    std::string refusal_ = "no such file beside the including one or at the top of the shaders folder, and inside it";
+    std::string refusal_ = "no such file next to the including file or below the shaders folder";
 };
 
-// "file:line: message" in its parts; line 0 and no file where the text does not begin with a place.
+// "file:line: message" in its parts; line 0 and no file if the text does not begin with a location.
 struct Diagnostic {
     SourceLocation where;
     std::string message;
@@ -81,7 +81,7 @@ Diagnostic readDiagnostic(const std::string& text) {
     return {.where = {}, .message = text};
 }
 
-// The exception for the first error in glslang's log, which has one a line.
+// The exception for the first error in glslang's log, which has one error per line.
 Error compileError(const std::string& kernel, const fs::path& file, const std::string& log) {
     const std::string mark = "ERROR: ";
     const std::size_t found = log.find(mark);
@@ -127,7 +127,7 @@ SpirV compileSource(const std::string& kernel, const fs::path& file, const Shade
     return inlineFunctions(std::move(spirv));
 }
 
-// Of names relative to the folder and of contents: where the folder stands does not matter.
+// Hash of names relative to the folder and of contents: the folder's own path does not matter.
 std::uint64_t hashOf(const SourceTexts& texts, const fs::path& folder) {
     std::uint64_t hash = kFnvStart;
     for (const auto& [path, text] : texts) {
@@ -158,7 +158,7 @@ struct ShaderCompiler::Sources {
 ShaderCompiler::Sources ShaderCompiler::sourcesOf(const std::string& kernel) const {
     const fs::path file = (shaders_ / "kernels" / (kernel + ".comp")).lexically_normal();
     if (!fs::is_regular_file(file)) {
-        throw Error(ExitCode::BadInput, "no kernel '" + kernel + "' (" + file.string() + " is not there)");
+        throw Error(ExitCode::BadInput, "no kernel '" + kernel + "' (" + file.string() + " does not exist)");
     }
     Sources sources{ShaderSources(shaders_), file, {}, {}};
     sources.texts = sources.folder.reach(file);
@@ -170,7 +170,7 @@ ShaderCompiler::Sources ShaderCompiler::sourcesOf(const std::string& kernel) con
     }
     std::string key = std::string(kCacheFormat) + '\n' + versions_ + '\n';
     for (const auto& [path, text] : sources.texts) {
-        // Where the folder stands does not matter, what it holds does.
+        // The folder's path does not matter, its contents do.
         key += fs::path(path).lexically_relative(shaders_.lexically_normal()).string() + '\n' +
                std::to_string(text.size()) + '\n' + text;
     }

@@ -1,4 +1,4 @@
-// GLSL kernels to SPIR-V at run time, by the glslang library, with #include and a cache on disk.
+// Compiles GLSL kernels to SPIR-V at run time with the glslang library, with #include and a cache on disk.
 #pragma once
 
 #include "gpu/kernel_compiler.h"
@@ -9,35 +9,34 @@
 
 namespace hyalite::gpu {
 
-// Name and version of every library that makes SPIR-V here: glslang, and SPIRV-Tools, which optimizes.
+// Name and version of every library that produces SPIR-V here: glslang, and SPIRV-Tools, which optimizes.
 [[nodiscard]] std::string compilerVersions();
 
 class ShaderCompiler final : public KernelCompiler {
 public:
-    // `shaders`: the folder that holds kernels/, lib/ and shared/. `cache`: where compiled kernels are kept, named by
-    // a hash of all their source text and of `versions`; empty: no cache. `shipped`: a folder of the same kind that is
-    // only read.
+    // `shaders`: the folder that contains kernels/, lib/ and shared/. `cache`: the folder of compiled kernels, named by
+    // a hash of all their source text and of `versions`; empty: no cache. `shipped`: a second such folder, read-only.
     explicit ShaderCompiler(std::filesystem::path shaders, std::filesystem::path cache = {},
                             std::filesystem::path shipped = {}, std::string versions = compilerVersions());
 
-    // From now on these texts stand in place of files of the shaders folder, named relative to it.
+    // From now on these texts replace files of the shaders folder, named relative to it.
     void replace(std::map<std::string, std::string> texts) { replaced_ = std::move(texts); }
 
-    // #include "lib/x.glsl" is looked for beside the including file, then in the shaders folder.
+    // #include "lib/x.glsl" is resolved next to the including file, then in the shaders folder.
     [[nodiscard]] SpirV compile(const std::string& kernel) const override;
 
-    // What the kernel is called in the cache: another name whenever any text that it reaches is another. Throws
-    // Error(BadInput) where it is not there.
+    // The kernel's name in the cache; it changes with any text that the kernel reaches. Throws Error(BadInput) if the
+    // kernel does not exist.
     [[nodiscard]] std::string nameInCache(const std::string& kernel) const;
     [[nodiscard]] std::optional<SpirV> fromCache(const std::string& nameInCache) const;
 
-    // The result is kept in the cache, too.
+    // The result is also cached.
     [[nodiscard]] SpirV specialized(const std::string& kernel, const SpirV& spirv,
                                     const std::map<std::uint32_t, std::uint32_t>& constants) const override;
 
     [[nodiscard]] std::vector<std::string> sourceFiles(const std::string& kernel) const override;
 
-    // A number that changes with any source below the shaders folder.
+    // A hash of every source below the shaders folder.
     [[nodiscard]] std::uint64_t hashOfSources() const;
     [[nodiscard]] std::uint64_t hashOfSources(std::span<const std::string_view> kernels) const override;
 

@@ -34,7 +34,7 @@ std::optional<std::string> includedName(std::string_view line) {
     return std::string(line.substr(open + 1, line.find_first_of("\">", open + 1) - open - 1));
 }
 
-// Throws Error(BadInput) when the file cannot be read.
+// Throws Error(BadInput) if the file cannot be read.
 std::string readText(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(stream), {}};
@@ -72,7 +72,7 @@ SourceTexts ShaderSources::reach(const fs::path& file) const {
         std::istringstream lines(entry->second);
         for (std::string line; std::getline(lines, line);) {
             const std::optional<std::string> name = includedName(line);
-            // What is not there is for the compiler to judge: it knows whether the line counts.
+            // A missing file is for the compiler to report: it knows whether the line is active.
             if (const auto included = name ? resolve(*name, path) : std::nullopt) {
                 open.push_back(*included);
             }

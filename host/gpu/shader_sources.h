@@ -1,4 +1,4 @@
-// The files that a kernel is made of: how an #include finds its file, and all text that one kernel can reach.
+// A kernel's source files: how an #include finds its file, and all text that a kernel can reach.
 #pragma once
 
 #include <filesystem>
@@ -10,18 +10,18 @@ namespace hyalite::gpu {
 
 using SourceTexts = std::map<std::string, std::string>; // by path
 
-// Reads below one shaders folder and nowhere else.
+// Reads only below one shaders folder.
 class ShaderSources {
 public:
     explicit ShaderSources(std::filesystem::path folder);
 
-    // The file that `name`, included by `includer`, means: beside the includer, else below the folder. Nothing when
-    // there is none, or none inside the folder.
+    // The file that `name` refers to when `includer` includes it: next to the includer, else below the folder. None if
+    // it does not exist or is outside the folder.
     [[nodiscard]] std::optional<std::filesystem::path> resolve(const std::string& name,
                                                                const std::filesystem::path& includer) const;
 
-    // Path and text of every file that `file` reaches through #include lines, itself among them. Lines that the
-    // preprocessor would skip count too: rather one file too many in a cache's key than one too few.
+    // Path and text of every file that `file` reaches through #include lines, including itself. Lines that the
+    // preprocessor would skip count too: one file too many in a cache key is better than one too few.
     [[nodiscard]] SourceTexts reach(const std::filesystem::path& file) const;
 
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }

@@ -1,4 +1,4 @@
-// One file a kernel: a header with sizes and checksum, then the SPIR-V words.
+// One file per kernel: a header with sizes and checksum, then the SPIR-V words.
 #include "gpu/spirv_cache.h"
 
 #include "base/fnv.h"
@@ -30,7 +30,7 @@ std::span<const char> asChars(const SpirV& spirv) {
     return {reinterpret_cast<const char*>(spirv.data()), spirv.size() * sizeof(SpirV::value_type)};
 }
 
-// A name no other writer uses: threads of this process and other processes may compile the same kernel.
+// A file name that no other writer uses: other threads and processes may compile the same kernel.
 fs::path temporaryName(const fs::path& file) {
     static std::atomic<unsigned> count = 0;
     return file.string() + '.' + std::to_string(getpid()) + '.' + std::to_string(count++);
@@ -39,7 +39,7 @@ fs::path temporaryName(const fs::path& file) {
 } // namespace
 
 std::string SpirvCache::key(std::string_view source) {
-    // Two states, 128 bits: by chance no two sources ever share a name.
+    // Two 64-bit states, 128 bits: a collision by chance is practically impossible.
     const auto bytes = std::as_bytes(std::span(source));
     std::array<char, 33> text{};
     std::snprintf(text.data(), text.size(), "%016llx%016llx", static_cast<unsigned long long>(fnv(bytes)),
@@ -72,7 +72,7 @@ void SpirvCache::store(const std::string& key, const SpirV& spirv) const {
     if (folder_.empty()) {
         return;
     }
-    std::error_code error; // a cache that cannot be written only costs the next start its time
+    std::error_code error; // a cache that cannot be written only makes the next start slower
     fs::create_directories(folder_, error);
     const fs::path file = folder_ / (key + ".spv");
     const fs::path temporary = temporaryName(file);

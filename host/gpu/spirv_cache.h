@@ -1,5 +1,5 @@
-// Compiled kernels on disk, found by a hash of everything they were compiled from. The cache only saves time: what it
-// cannot read it does not have, what it cannot write it leaves.
+// Compiled kernels on disk, found by a hash of everything they were compiled from. The cache only saves time: entries
+// that it cannot read count as missing, and a failed write is ignored.
 #pragma once
 
 #include "gpu/spirv.h"
@@ -13,13 +13,13 @@ namespace hyalite::gpu {
 
 class SpirvCache {
 public:
-    explicit SpirvCache(std::filesystem::path folder) : folder_(std::move(folder)) {} // empty: keeps nothing
+    explicit SpirvCache(std::filesystem::path folder) : folder_(std::move(folder)) {} // empty: no cache
 
-    // Nothing when it is not there or damaged.
+    // None if the entry is missing or corrupt.
     [[nodiscard]] std::optional<SpirV> load(const std::string& key) const;
     void store(const std::string& key, const SpirV& spirv) const;
 
-    // 32 hexadecimal digits that stand for every byte the result depends on.
+    // 32 hexadecimal digits: a hash of every byte that the result depends on.
     [[nodiscard]] static std::string key(std::string_view source);
 
 private:

@@ -7,9 +7,10 @@
 namespace hyalite::gpu {
 namespace {
 
-// glslang's output is valid, and the layers look at what the driver gets: no validator. What fails stays as it was.
+// glslang's output is valid, and the validation layers check what the driver gets, so no validator runs here. On
+// failure the code stays as it was.
 SpirV run(spvtools::Optimizer& optimizer, SpirV spirv) {
-    optimizer.SetMessageConsumer([](auto...) {}); // it warns of functions with several exits, which stay functions
+    optimizer.SetMessageConsumer([](auto...) {}); // it warns about functions with several exits, which are not inlined
     spvtools::OptimizerOptions options;
     options.set_run_validator(false);
     SpirV result;
@@ -19,7 +20,7 @@ SpirV run(spvtools::Optimizer& optimizer, SpirV spirv) {
 } // namespace
 
 SpirV inlineFunctions(SpirV spirv) {
-    constexpr std::uint32_t kLargestStruct = 100; // members; a struct of more stays whole
+    constexpr std::uint32_t kLargestStruct = 100; // members; a larger struct is not split
     spvtools::Optimizer optimizer(SPV_ENV_UNIVERSAL_1_6);
     optimizer.RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
         .RegisterPass(spvtools::CreateInlineExhaustivePass())
@@ -39,7 +40,7 @@ SpirV specialize(SpirV spirv, const std::map<std::uint32_t, std::uint32_t>& cons
     for (const auto& [id, value] : constants) {
         values[id] = {value};
     }
-    // No pass here touches arithmetic on values that are not constant: the bits of every result stay.
+    // No pass here changes arithmetic on non-constant values: the bits of every result stay.
     spvtools::Optimizer optimizer(SPV_ENV_UNIVERSAL_1_6);
     optimizer.RegisterPass(spvtools::CreateSetSpecConstantDefaultValuePass(values))
         .RegisterPass(spvtools::CreateFreezeSpecConstantValuePass())

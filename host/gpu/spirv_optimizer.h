@@ -1,5 +1,4 @@
-// Less for the driver to do: lavapipe takes every kernel through its compiler at each start, before it looks into its
-// cache.
+// Reduces the driver's work: lavapipe compiles every kernel at each start, before it looks into its cache.
 #pragma once
 
 #include "gpu/spirv.h"
@@ -8,12 +7,12 @@
 
 namespace hyalite::gpu {
 
-// The same kernel with its functions inlined and its local variables turned into values; what it computes keeps every
-// bit, for nothing is folded or reordered. Names of specialization constants stay.
+// The same kernel with its functions inlined and its local variables turned into values; every result keeps its bits,
+// because nothing is folded or reordered. Names of specialization constants stay.
 [[nodiscard]] SpirV inlineFunctions(SpirV spirv);
 
-// The same kernel with `constants`, by constant id, in place of its specialization constants, which all are gone then,
-// and without the code that these values never reach. The rest computes the same bits.
+// The same kernel with `constants`, by constant id, in place of all its specialization constants, and without the code
+// that these values make unreachable. The rest computes the same bits.
 [[nodiscard]] SpirV specialize(SpirV spirv, const std::map<std::uint32_t, std::uint32_t>& constants);
 
 } // namespace hyalite::gpu

@@ -6,7 +6,7 @@
 namespace hyalite::gpu {
 namespace {
 
-// Larger copies are made in parts: two megabytes already hide what starting one costs.
+// Larger copies are split into parts: two megabytes already amortise the cost of starting one.
 constexpr std::size_t kPart = std::size_t(16) << 20U;
 
 std::uint32_t hostMemoryType(const Context::Impl& context, std::uint32_t allowed) {
@@ -20,7 +20,7 @@ std::uint32_t hostMemoryType(const Context::Impl& context, std::uint32_t allowed
             }
         }
     }
-    throw Error(ExitCode::Device, context.info.name + " has no memory that the host sees");
+    throw Error(ExitCode::Device, context.info.name + " has no host-visible memory");
 }
 
 } // namespace
@@ -58,7 +58,7 @@ void Staging::copy(vk::Buffer from, vk::Buffer to, const vk::BufferCopy& region)
             .srcStageMask = before, .srcAccessMask = written, .dstStageMask = after, .dstAccessMask = access};
         with.commands.pipelineBarrier2(vk::DependencyInfo{.memoryBarrierCount = 1, .pMemoryBarriers = &memory});
     };
-    // After all that was submitted before, and before all that will be
+    // After all work submitted before, and before all work submitted later
     barrier(Stage::eComputeShader | Stage::eAllTransfer, Access::eShaderWrite | Access::eTransferWrite,
             Stage::eAllTransfer, Access::eTransferRead | Access::eTransferWrite);
     with.commands.copyBuffer(from, to, region);

@@ -1,4 +1,4 @@
-// Copies between the host and device memory that it does not see.
+// Copies between the host and device memory that is not host-visible.
 #pragma once
 
 #include "gpu/buffer_impl.h"
@@ -11,16 +11,16 @@ namespace hyalite::gpu {
 
 class Staging {
 public:
-    // The context must outlive it.
+    // The context must outlive this object.
     explicit Staging(const Context::Impl& context) : context_(context) {}
 
-    // Copy `to` or `from` the buffer, from byte `offset` on, and wait until it is done. What was submitted before is
-    // finished then. Throw Error(Device) when the device fails.
+    // Copy to `to` or from `from`, at byte `offset` of the buffer, and wait until done; work submitted before is then
+    // finished too. Throw Error(Device) if the device fails.
     void read(const Buffer::Impl& buffer, std::size_t offset, std::span<std::byte> to);
     void write(const Buffer::Impl& buffer, std::size_t offset, std::span<const std::byte> from);
 
 private:
-    // What copies need, made by the first.
+    // Resources for copies, created by the first copy.
     struct Means {
         vk::raii::CommandPool pool = nullptr;
         vk::raii::CommandBuffer commands = nullptr;

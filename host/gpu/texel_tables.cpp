@@ -1,4 +1,4 @@
-// The descriptor set of uniform texel buffers that every kernel is bound with.
+// The descriptor set of uniform texel buffers that every kernel uses.
 #include "gpu/buffer_impl.h"
 #include "gpu/checked_kernels.h"
 
@@ -8,7 +8,7 @@
 namespace hyalite::gpu {
 namespace {
 
-// The buffer of the checks: texels for so many buffers, then the report (see shaders/lib/checked.glsl).
+// The buffer for bounds checks: texels for this many buffers, then the report (see shaders/lib/checked.glsl).
 constexpr std::size_t kMostChecked = 4095;
 constexpr std::size_t kReportAt = (kMostChecked + 1) * kTexelBytes;
 constexpr std::size_t kReportBytes = 1024;
@@ -30,7 +30,7 @@ void TexelTables::Impl::describeBuffers() const {
                           std::uint32_t(std::min<std::size_t>(buffer.bytes, UINT32_MAX)), 0});
     }
     if (texels.size() > kMostChecked + 1) {
-        throw Error(ExitCode::Device, "more buffers than the checked build knows");
+        throw Error(ExitCode::Device, "too many buffers for the checked build");
     }
     const std::uint64_t report = checks.address() + kReportAt;
     texels[0] = {std::uint32_t(texels.size() - 1), std::uint32_t(report), std::uint32_t(report >> 32U), 0};
@@ -55,7 +55,7 @@ TexelTables::TexelTables(const Context& context, std::uint32_t bindings) : impl_
     impl_->context = &context.impl();
     impl_->dummy = Buffer(context, kTexelBytes, "empty texel table", Memory::Host);
     std::memset(impl_->dummy.mapped().data(), 0, kTexelBytes);
-    checked("making the texel tables", [&] {
+    checked("creating the texel tables", [&] {
         const vk::raii::Device& device = impl_->context->device;
         std::vector<vk::DescriptorSetLayoutBinding> layout(bindings);
         for (std::uint32_t i = 0; i < bindings; ++i) {
@@ -88,7 +88,7 @@ TexelTables::TexelTables(const Context& context, std::uint32_t bindings) : impl_
         impl_->set = std::move(sets.front());
     });
     for (std::uint32_t i = 0; i < bindings; ++i) {
-        set(i, {}, TexelFormat::Float4); // a set must be valid as a whole
+        set(i, {}, TexelFormat::Float4); // every binding of a set must be valid
     }
     if constexpr (kCheckedKernels) {
         impl_->checks = Buffer(context, kReportAt + kReportBytes, "lengths of buffers", Memory::Host);
@@ -118,12 +118,12 @@ void TexelTables::set(std::uint32_t binding, const Buffer& buffer, TexelFormat f
     vk::raii::BufferView view = impl_->show(binding, shown, format);
     impl_->formats[binding] = format;
     impl_->addresses[binding] = shown.address;
-    previous = std::move(view); // the old view goes after the set has let go of it
+    previous = std::move(view); // destroyed after the set stops using it
 }
 
 vk::raii::BufferView TexelTables::Impl::show(std::uint32_t binding, const Buffer::Impl& shown,
                                              TexelFormat format) const {
-    return checked("showing buffer '" + shown.name + "' as a table", [&] {
+    return checked("binding buffer '" + shown.name + "' as a table", [&] {
         vk::raii::BufferView view(
             context->device,
             vk::BufferViewCreateInfo{.buffer = *shown.buffer,

@@ -12,21 +12,21 @@
 
 namespace hyalite::gpu {
 
-// For calls that return a result which may be another than success. (The library's own check moved between versions.)
+// For calls whose result may be something other than success. (The library's own check moved between versions.)
 inline void requireSuccess(vk::Result result, const char* what) {
     if (result != vk::Result::eSuccess) {
         throw Error(ExitCode::Device, std::string(what) + ": " + vk::to_string(result));
     }
 }
 
-// Runs `action`; a failed Vulkan call in it becomes Error(Device) that begins with `what`.
+// Runs `action`; a failed Vulkan call in it becomes an Error(Device) that begins with `what`.
 template <class Action>
 decltype(auto) checked(const std::string& what, Action&& action) {
     try {
         return std::invoke(std::forward<Action>(action));
     } catch (const vk::DeviceLostError&) {
         throw Error(ExitCode::Device, what + ": the device is lost",
-                    "its driver has given it up; start again, from the last checkpoint with --resume");
+                    "the driver gave up on it; run again: --resume continues from the last checkpoint");
     } catch (const vk::SystemError& error) {
         throw Error(ExitCode::Device, what + ": " + error.what());
     }

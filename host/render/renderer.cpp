@@ -19,7 +19,7 @@ void finishPicture(Device& device, Film& film, RenderResult& result) {
     result.layers = film.layers();
 }
 
-// The passes that are asked for and not there yet, and what they leave.
+// Renders the requested passes that the film does not have yet, and records the results.
 void renderPasses(Device& device, const Scene& scene, const RenderOptions& options, Film& film,
                   PassIntegrator& integrator, Checkpointing& checkpointing, RenderResult& result) {
     const PassRange range{options.firstPass, options.firstPass + scene.render.passes};
@@ -62,7 +62,7 @@ void renderPasses(Device& device, const Scene& scene, const RenderOptions& optio
     }
     result.renderSeconds = progress.seconds;
     if (progress.passes == 0) {
-        throw Error(ExitCode::Interrupted, "interrupted before the first pass was done: there is no picture");
+        throw Error(ExitCode::Interrupted, "interrupted before the first pass finished: there is no picture");
     }
     if (progress.passes > progress.resumedFrom) {
         checkpointing.save(film, integrator.counts(), progress.seconds, /*now*/ true);

@@ -1,4 +1,4 @@
-// Renders a scene on the device: set-up, the loop over passes, and what it took.
+// Renders a scene on the device: set-up, the loop over passes, and their cost.
 #pragma once
 
 #include "gpu/commands.h"
@@ -15,21 +15,21 @@
 namespace hyalite::render {
 
 struct Progress {
-    std::uint32_t passes = 0;            // done, with those resumed from
-    std::uint32_t ofPasses = 0;          // that there will be
+    std::uint32_t passes = 0;            // finished passes, including those resumed from
+    std::uint32_t ofPasses = 0;          // total number of passes
     double seconds = 0;                  // since the first pass began
-    std::optional<double> errorEstimate; // when last looked at, see looksAtError
-    std::uint32_t resumedFrom = 0;       // passes done before the first
+    std::optional<double> errorEstimate; // last estimate, see looksAtError
+    std::uint32_t resumedFrom = 0;       // passes that the checkpoint already had
 };
 
 struct RenderOptions {
     bool profile = false;        // time every stage
-    std::uint32_t firstPass = 0; // its number
-    double timeLimit = 0;        // start no pass that would probably end later than this [s]; 0: no limit
+    std::uint32_t firstPass = 0; // number of the first pass
+    double timeLimit = 0;        // no pass starts that would probably end later than this [s]; 0: no limit
     std::function<void(const Progress&)> onPass; // after every pass
-    std::function<bool()> stop;                  // asked before every pass: whether there shall be no more
+    std::function<bool()> stop;                  // called before every pass; true: render no more passes
     CheckpointOptions checkpoint;
-    // Once, before anything that belongs to the picture is computed: may have the device's commands observed
+    // Called once, before any part of the picture is computed; may register observers of the device's commands
     std::function<void(Device&, const DeviceScene&)> onUpload;
     PhotonFiles photonFiles;
 };
@@ -37,41 +37,41 @@ struct RenderOptions {
 struct RenderResult {
     LayeredImage image;
     std::uint32_t passes = 0;               // in the picture
-    std::uint32_t resumedFrom = 0;          // of these, so many were in the checkpoint
-    bool stopped = false;                   // passes are missing because `stop` said so
+    std::uint32_t resumedFrom = 0;          // number of these from the checkpoint
+    bool stopped = false;                   // passes are missing because `stop` returned true
     std::vector<FilmFault> faults;          // see FilmState
-    std::vector<LayerKind> layers;          // of the film
+    std::vector<LayerKind> layers;          // layers of the film
     std::optional<Error> checkpointFailure; // the last checkpoint could not be written
     double setupSeconds = 0;                // kernels, scene, hierarchies
     double renderSeconds = 0;               // passes
-    std::optional<double> errorEstimate;    // of the picture, see docs/metrics.md; none of a single pass
+    std::optional<double> errorEstimate;    // of the picture, see docs/metrics.md; none for a single pass
     Counts counts;
     RenderNotes notes;
     std::map<std::string, std::size_t> memory;    // bytes of the device's buffers after the last pass, by name
     std::map<std::string, gpu::StageTime> stages; // with profile
 };
 
-// Renders scene.render.passes passes, but for those that the checkpoint holds, fewer where the time limit or the target
-// error comes first (one at least). Throws Error(Device) when the device has no room for the scene or fails,
-// Error(Interrupted) when it is stopped before there is a pass to show.
+// Renders scene.render.passes passes, except those in the checkpoint; fewer if the time limit or the target error is
+// reached first (but at least one). Throws Error(Device) if the device has no room for the scene or fails,
+// Error(Interrupted) if it is stopped before the first pass finishes.
 [[nodiscard]] RenderResult render(const gpu::Context& context, const gpu::ShaderCompiler& compiler, const Scene& scene,
                                   const RenderOptions& options);
 
-// The picture and its error, in the same bits as if this device had rendered all passes of the film.
+// The picture and its error, with the same bits as if this device had rendered all passes of the film.
 [[nodiscard]] RenderResult resolve(const gpu::Context& context, const gpu::ShaderCompiler& compiler,
                                    const FilmState& film);
 
-// Whether a pass that takes as long as the passes before it on average would end within `timeLimit` [s]; 0: always.
+// Would another pass, with the average time of the passes so far, end within `timeLimit` [s]? 0: always.
 [[nodiscard]] bool timeForAnotherPass(const Progress& progress, double timeLimit);
 
-// Whether to estimate the error after so many passes: every 8th to 16th part of them, whatever time they took, so that
-// estimates cost little beside the passes, and the same scene stops at the same pass on every machine. Not before
-// kPassesToBelieve passes: what few paths find (a caustic, a lamp in a mirror) shows in the variance only once some
-// have found it.
+// Should the error be estimated after this many passes? It is estimated every time their number has grown by an eighth
+// to a sixteenth, whatever the time they took, so that estimates cost little beside the passes, and the same scene
+// stops at the same pass on every machine. Not before kPassesToBelieve passes: features that few paths find (a caustic,
+// a light in a mirror) show in the variance only once some path has found them.
 inline constexpr std::uint32_t kPassesToBelieve = 16;
 [[nodiscard]] bool looksAtError(std::uint32_t passes);
 
-// Whether the error was estimated after the last pass and is no larger than what was asked for; never where that is 0.
+// Was the error estimated after the last pass, and is it at most `targetError`? Never if that is 0.
 [[nodiscard]] bool reachesTarget(const Progress& progress, double targetError);
 
 } // namespace hyalite::render

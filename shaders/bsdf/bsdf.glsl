@@ -1,12 +1,12 @@
-// What the surface of a material does with light: a diffuse part, a lobe that reflects and perhaps transmits, or both.
-// The contract of a model, which is a file of this folder and a row of shared/materials.h:
-//   NAMEFlags            which of kBsdf… it has
-//   NAMEAlbedo           diffuse part: share of the light reflected, but for what lies over it on the way in and out
-//   NAMEOverDiffuse      what lies over the diffuse part lets through at an angle, NAMEMeanOverDiffuse its mean over the
+// The BSDF of a material: a diffuse part, a lobe that reflects and perhaps transmits, or both. The contract of a model,
+// which is a file of this folder and a row of shared/materials.h:
+//   NAMEFlags            its kBsdf… flags
+//   NAMEAlbedo           diffuse part: share of the light reflected, without the layer over it
+//   NAMEOverDiffuse      transmittance of the layer over the diffuse part at an angle, NAMEMeanOverDiffuse its mean over the
 //                        cosine-weighted hemisphere
-//   NAMELobe             how it reflects or refracts, seen from one side
-//   NAMEReflectance      share of the light that a facet of the lobe reflects
-//   NAMECoat             a second lobe that lies over all else; NAMEOverLobe what it lets through to the lobe at an angle
+//   NAMELobe             the lobe that reflects or refracts, seen from one side
+//   NAMEReflectance      reflectance of a facet of the lobe
+//   NAMECoat             a second lobe over everything else; NAMEOverLobe its transmittance to the lobe at an angle
 // Sampling, evaluation and densities follow from these here and in microfacets.glsl.
 #ifndef HYALITE_BSDF_GLSL
 #define HYALITE_BSDF_GLSL
@@ -62,7 +62,7 @@ float meanOverDiffuse(MaterialRecord material) {
     return 1.0;
 }
 
-// `front` as in Surface.
+// The lobe of the material seen from one side; `front` as in Surface.
 Lobe lobeOf(MaterialRecord material, bool front) {
 #define ROW(Name, name)                                                                                                \
     if (isMaterial(material.type, kMaterial##Name)) {                                                                  \
@@ -90,7 +90,7 @@ bool isCoated(MaterialRecord material) {
 #undef ROW
 }
 
-// Of a coated material.
+// The coat of a coated material.
 Lobe coatOf(MaterialRecord material) {
 #define ROW(Name, name)                                                                                                \
     if (isMaterial(material.type, kMaterial##Name)) {                                                                  \
@@ -101,7 +101,7 @@ Lobe coatOf(MaterialRecord material) {
     return reflectingLobe(material, 0.0);
 }
 
-// What lies over the lobe lets through at an angle.
+// Transmittance, at an angle, of the layer over the lobe.
 float overLobe(Lobe lobe, float cosine) {
     if (lobe.isCoat) {
         return 1.0;
@@ -115,7 +115,7 @@ float overLobe(Lobe lobe, float cosine) {
     return 1.0;
 }
 
-// ---- What follows
+// ---- Derived from the models
 
 bool hasDiffusePart(MaterialRecord material) {
     return (bsdfFlags(material) & kBsdfDiffuse) != 0u;
@@ -125,17 +125,17 @@ bool hasLobe(MaterialRecord material) {
     return (bsdfFlags(material) & (kBsdfGlossy | kBsdfSpecular)) != 0u;
 }
 
-// A path may be reflected there or refracted, and there is no other direction.
+// Smooth glass: a path is reflected or refracted; no other direction is possible.
 bool isSmoothGlass(Lobe lobe) {
     return lobe.transmits && lobe.alpha == 0.0;
 }
 
-// Share of the light that a lobe reflects, the mean of the channels.
+// Share of the light that a lobe reflects, averaged over the channels.
 float lobeShare(Lobe lobe, float cosOut) {
     return meanComponent(lobeReflectance(lobe, cosOut)) * overLobe(lobe, cosOut);
 }
 
-// With which probability a path takes the coat where it takes a lobe.
+// Probability of sampling the coat, given that the path takes a lobe.
 float coatProbability(Lobe lobe, float cosOut) {
     if (!isCoated(lobe.material)) {
         return 0.0;
@@ -144,7 +144,8 @@ float coatProbability(Lobe lobe, float cosOut) {
     return ofCoat / max(ofCoat + lobeShare(lobe, cosOut), kTiny);
 }
 
-// The lobe that a path takes: `lobe` or the coat over it. `choice` in [0, 1); `probability` is that of the answer.
+// Picks the lobe that a path takes: `lobe` or the coat over it. `choice` in [0, 1); `probability` is that of the
+// result.
 Lobe pickLobe(Lobe lobe, float cosOut, float choice, out float probability) {
     probability = 1.0;
     if (!isCoated(lobe.material)) {
@@ -159,7 +160,7 @@ Lobe pickLobe(Lobe lobe, float cosOut, float choice, out float probability) {
     return lobe;
 }
 
-// With which probability a path takes a lobe where it takes one of lobes and diffuse part.
+// Probability of sampling a lobe rather than the diffuse part.
 float lobeProbability(MaterialRecord material, Lobe lobe, float cosOut) {
     if (!hasDiffusePart(material)) {
         return 1.0;
@@ -174,7 +175,7 @@ float lobeProbability(MaterialRecord material, Lobe lobe, float cosOut) {
     return reflected_ / (reflected_ + meanComponent(diffuseShare(material)) * overDiffuse(material, cosOut));
 }
 
-// Share of the light that leaves the surface again, some of which rough lobes lose.
+// Share of the light that leaves the surface again; rough lobes lose some of it.
 vec3 leavingShare(MaterialRecord material, Lobe lobe, float cosOut) {
     vec3 diffuse = diffuseShare(material) * (overDiffuse(material, cosOut) * meanOverDiffuse(material));
     if (!hasLobe(material)) {
@@ -187,7 +188,8 @@ vec3 leavingShare(MaterialRecord material, Lobe lobe, float cosOut) {
     return (lobe.transmits ? vec3(1.0) : lobeReflectance(lobe, cosOut) * (over * over)) + diffuse;
 }
 
-// By the cosine, of paths that take the diffuse part with this probability. A direction on the wrong side of the true surface, which a smoothed normal may cause, is not absorbed.
+// Samples the diffuse part by the cosine, for paths that take it with this probability. Directions below the geometric
+// surface, which a smoothed normal may cause, are not absorbed.
 BsdfSample sampleDiffuse(MaterialRecord material, vec3 normal, float cosOut, vec2 u, float probability) {
     BsdfSample s;
     s.direction = cosineHemisphere(u, normal);
@@ -208,8 +210,8 @@ BsdfValue evaluateDiffuse(MaterialRecord material, vec3 normal, vec3 wo, vec3 wi
     return BsdfValue(albedo * (kInvPi * cosine), cosine * kInvPi, cosOut * kInvPi);
 }
 
-// The whole BSDF: a path that takes one of the parts, and what all of them make of a pair of directions. A smooth lobe
-// has no value and no density.
+// Sampling and evaluation of the whole BSDF: a path takes one of the parts; evaluation sums all of them for a pair of
+// directions. A smooth lobe has neither value nor density.
 BsdfSample sampleBsdf(MaterialRecord material, bool front, vec3 normal, vec3 geometricNormal, vec3 wo, vec2 u,
                       float choice, uint transport) {
     Lobe lobe = lobeOf(material, front);

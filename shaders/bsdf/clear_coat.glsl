@@ -1,21 +1,21 @@
-// A clear coat over metallic-roughness, after glTF's KHR_materials_clearcoat: a dielectric film without colour that covers
-// the share `coat` of the surface and reflects F by Fresnel's equations, with facets of its own roughness. What it does not
-// reflect on the way in reaches the base, and of what the base reflects it lets the same share out:
+// A clear coat over metallic-roughness, after glTF's KHR_materials_clearcoat: a colourless dielectric film covers the
+// share `coat` of the surface and reflects F by Fresnel's equations, with facets of its own roughness. The light that
+// it does not reflect on the way in reaches the base, and light from the base leaves with the same transmittance:
 //     f = coat F D G / (4 cosOut cosIn) + T(cosOut) T(cosIn) f_base,  T = 1 - coat F
-// The specification attenuates the base by the direction of view alone, which is not reciprocal. With both factors f is;
-// and since the base reflects no more than it gets, at most coat F + T <= 1 leaves a surface seen at any angle under a
-// smooth coat. A coat of index 1 has F = 0 and T = 1: the bare base. Light between coat and base that is reflected back is
-// lost, and nothing is refracted on the way: the base sees the directions outside.
+// The specification attenuates the base by the view direction alone, which is not reciprocal. With both factors f is
+// reciprocal; and since the base reflects no more than it receives, at most coat F + T <= 1 leaves a surface under a
+// smooth coat, at any view angle. A coat of index 1 has F = 0 and T = 1: the bare base. Light reflected back between
+// coat and base is lost, and refraction in the coat is ignored: the base sees the directions outside.
 #ifndef HYALITE_CLEAR_COAT_GLSL
 #define HYALITE_CLEAR_COAT_GLSL
 #include "bsdf/interface.glsl"
 #include "bsdf/metallic_roughness.glsl"
 #include "bsdf/parts.glsl"
 
-// Midpoints in the squared cosine, over which light from everywhere is even.
+// Number of midpoints in the squared cosine, in which uniform incident light is uniformly distributed.
 const uint kCoatParts = 32u;
 
-// Share of the light that the coat reflects off a facet.
+// Share of the light that a facet of the coat reflects.
 float coatReflected(MaterialRecord material, float cosine) {
     return material.coat * meetInterface(clamp(cosine, 0.0, 1.0), 1.0 / material.coatIor).reflectance;
 }

@@ -1,4 +1,4 @@
-// Metal of the complex index eta + i k.
+// Metal with complex index of refraction eta + i k.
 #ifndef HYALITE_CONDUCTOR_GLSL
 #define HYALITE_CONDUCTOR_GLSL
 #include "bsdf/fresnel.glsl"

@@ -1,4 +1,4 @@
-// A surface that reflects, smooth or by microfacets, the share that a function of the scene's own gives.
+// A surface whose reflectance, smooth or at microfacets, is a function that the scene supplies.
 #ifndef HYALITE_CUSTOM_GLSL
 #define HYALITE_CUSTOM_GLSL
 #include "bsdf/custom_reflectance.glsl"

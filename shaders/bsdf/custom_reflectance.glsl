@@ -1,5 +1,5 @@
-// Materials that scenes bring along as GLSL (docs/experiments.md). For a scene that has some, the host puts in place of this
-// file their source, and a customReflectance() that calls the one of that number.
+// Materials that scenes supply as GLSL (docs/experiments.md). For such a scene the host replaces this file with their
+// source and a customReflectance() that calls the function of that number.
 #ifndef HYALITE_CUSTOM_REFLECTANCE_GLSL
 #define HYALITE_CUSTOM_REFLECTANCE_GLSL
 #include "lib/math.glsl"

@@ -1,10 +1,10 @@
-// Glass: what Fresnel's equations do not reflect is refracted.
+// Glass: light that Fresnel's equations do not reflect is refracted.
 #ifndef HYALITE_DIELECTRIC_GLSL
 #define HYALITE_DIELECTRIC_GLSL
 #include "bsdf/interface.glsl"
 #include "bsdf/parts.glsl"
 
-// Media of much the same index refract by nothing, however rough their boundary.
+// Media of nearly equal index do not refract, however rough their boundary.
 float dielectricAlpha(MaterialRecord material) {
     return abs(material.ior - 1.0) >= kSmoothIndex ? facetAlpha(material.roughness) : 0.0;
 }

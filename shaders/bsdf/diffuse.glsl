@@ -1,4 +1,4 @@
-// Lambert's surface: reflects `color` of the light, evenly in all directions.
+// Lambertian surface: reflects `color` of the light, with equal radiance in all directions.
 #ifndef HYALITE_DIFFUSE_GLSL
 #define HYALITE_DIFFUSE_GLSL
 #include "bsdf/parts.glsl"

@@ -9,11 +9,11 @@ float schlickPower(float cosine) {
     return c * c * c * c * c;
 }
 
-// Fresnel's equations for the complex index eta + i k, unpolarised.
+// Fresnel's equations for the complex index eta + i k, unpolarised light.
 vec3 fresnelConductor(float cosine, vec3 eta, vec3 k) {
     float cos2 = cosine * cosine;
     float sin2 = 1.0 - cos2;
-    vec3 real = eta * eta - k * k - sin2; // of the squared index less sin^2, whose root is a + i b
+    vec3 real = eta * eta - k * k - sin2; // real part of the squared index minus sin^2; its square root is a + i b
     vec3 sum = sqrt(real * real + 4.0 * eta * eta * k * k);
     vec3 a = sqrt(max(vec3(0.0), 0.5 * (sum + real)));
     vec3 s = sum + cos2;

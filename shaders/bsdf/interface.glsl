@@ -1,5 +1,5 @@
-// Reflection and refraction at a smooth surface. Directions d travel with the light or the ray, towards the surface;
-// n is unit and on the side d comes from.
+// Reflection and refraction at a smooth surface. Directions d travel with the light or the ray, towards the surface; n
+// is unit and on the side that d comes from.
 #ifndef HYALITE_INTERFACE_GLSL
 #define HYALITE_INTERFACE_GLSL
 #include "shared/language.h"
@@ -10,14 +10,14 @@ vec3 reflected(vec3 d, vec3 n) {
 }
 
 struct Interface {
-    float reflectance; // F, unpolarised; 1 where all is reflected
+    float reflectance; // F, unpolarised; 1: total internal reflection
     float cosTransmitted;
-    float eta;         // index of the side d comes from over that of the other side
+    float eta;         // index of the incident side over that of the other side
 };
 
 // Fresnel's equations for cosIncident = -d . n >= 0.
 Interface meetInterface(float cosIncident, float eta) {
-    // 1 - eta^2 (1 - cos^2), written so that it keeps its digits near grazing incidence
+    // 1 - eta^2 (1 - cos^2), in a form that stays accurate near grazing incidence
     float cosSquared = 1.0 - eta * eta * (1.0 - cosIncident) * (1.0 + cosIncident);
     if (cosSquared <= 0.0) {
         return Interface(1.0, 0.0, eta);

@@ -1,12 +1,11 @@
-// What dielectrics absorb on the way through them.
+// Absorption inside dielectrics.
 #ifndef HYALITE_MEDIUM_GLSL
 #define HYALITE_MEDIUM_GLSL
 #include "shared/limits.h"
 #include "shared/scene_records.h"
 #include "lib/math.glsl"
 
-// Share of the light that is left after a distance [m] in a material (kNone: none): e^(-sigma t), the law of Beer and
-// Lambert.
+// Share of the light left after a distance [m] in a material (kNone: no material): e^(-sigma t), the Beer-Lambert law.
 vec3 transmittance(MaterialArray materials, uint medium, float distance) {
     if (medium == kNone) {
         return vec3(1.0);

@@ -1,11 +1,11 @@
 // glTF's model: a metal, a diffuse base under a dielectric coat, or a mixture of the two. The coat is [Shirley97a]'s:
-// what it does not reflect on the way in and out reaches the base.
+// the light that it does not reflect on the way in and out reaches the base.
 #ifndef HYALITE_METALLIC_ROUGHNESS_GLSL
 #define HYALITE_METALLIC_ROUGHNESS_GLSL
 #include "bsdf/fresnel.glsl"
 #include "bsdf/parts.glsl"
 
-// Makes up for the mean of metallicRoughnessOverDiffuse over the cosine-weighted hemisphere, 20/21.
+// Normalises by the mean of metallicRoughnessOverDiffuse over the cosine-weighted hemisphere, 20/21.
 const float kCoatNormalization = 21.0 / 20.0;
 
 vec3 reflectedAtNormal(MaterialRecord material) {
@@ -22,8 +22,8 @@ vec3 metallicRoughnessAlbedo(MaterialRecord material) {
     return kCoatNormalization * entering * material.color;
 }
 
-// What the coat lets through at the angle. With F0 at normal incidence Schlick's approximation reflects 1 - (1 - F0)
-// times this.
+// Transmittance of the coat at the angle, relative to 1 - F0. With F0 at normal incidence Schlick's approximation
+// reflects 1 - (1 - F0) times this.
 float metallicRoughnessOverDiffuse(MaterialRecord material, float cosine) {
     return 1.0 - schlickPower(cosine);
 }

@@ -1,5 +1,5 @@
-// Sampling and evaluation of a lobe: smooth, then it has no density, or rough by GGX microfacets [Walter07]. Rough lobes let
-// each ray meet one facet only: what would be reflected from facet to facet is lost, more the rougher they are.
+// Sampling and evaluation of a lobe: smooth (no density) or rough by GGX microfacets [Walter07]. Rough lobes model a
+// single facet reflection: light reflected from facet to facet is lost, more so with greater roughness.
 #ifndef HYALITE_MICROFACETS_GLSL
 #define HYALITE_MICROFACETS_GLSL
 #include "bsdf/ggx.glsl"
@@ -9,13 +9,13 @@
 vec3 lobeReflectance(Lobe lobe, float cosine); // see bsdf.glsl, both
 float overLobe(Lobe lobe, float cosine);
 
-// Radiance over the squared index is what refraction conserves: camera paths carry its factor, photons carry flux.
+// Refraction conserves radiance over the squared index: camera paths carry that factor, photons carry flux.
 float refractionFactor(Lobe lobe, uint transport) {
     return transport == kRadiance ? lobe.eta * lobe.eta : 1.0;
 }
 
 BsdfSample sampleSmooth(Lobe lobe, vec3 normal, vec3 wo, float choice, uint transport) {
-    float cosOut = clamp(dot(wo, normal), 0.0, 1.0); // a smoothed normal may be turned away
+    float cosOut = clamp(dot(wo, normal), 0.0, 1.0); // a smoothed normal may face away
     vec3 reflection = reflected(-wo, normal);
     if (lobe.transmits) {
         Interface i = meetInterface(cosOut, lobe.eta);
@@ -28,14 +28,14 @@ BsdfSample sampleSmooth(Lobe lobe, vec3 normal, vec3 wo, float choice, uint tran
     return BsdfSample(reflection, lobeReflectance(lobe, cosOut) * (over * over), 0.0, false);
 }
 
-// Solid angle of facet normals per solid angle of transmitted directions [Walter07]; the cosine on the far side, where
-// the light is transmitted to, is negative.
+// Solid angle of facet normals per solid angle of transmitted directions [Walter07]; the cosine on the far side, to
+// which the light is transmitted, is negative.
 float refractionJacobian(float eta, float cosOut, float cosIn) {
     float sum = eta * cosOut + cosIn;
     return abs(cosIn) / (sum * sum);
 }
 
-// Directions that end up on the wrong side of the true surface, which a smoothed normal may cause, are absorbed.
+// Directions on the wrong side of the geometric surface, which a smoothed normal may cause, are absorbed.
 BsdfSample sampleRough(Lobe lobe, vec3 normal, vec3 geometricNormal, vec3 wo, vec2 u, float choice, uint transport) {
     vec3 o = intoFrame(wo, normal);
     if (o.z <= 0.0) {
@@ -79,7 +79,7 @@ BsdfSample sampleLobe(Lobe lobe, vec3 normal, vec3 geometricNormal, vec3 wo, vec
     return sampleSmooth(lobe, normal, wo, choice, transport);
 }
 
-// Of a rough lobe.
+// Value and densities of a rough lobe.
 BsdfValue evaluateLobe(Lobe lobe, vec3 normal, vec3 geometricNormal, vec3 wo, vec3 wi, uint transport) {
     vec3 o = intoFrame(wo, normal);
     vec3 i = intoFrame(wi, normal);
@@ -102,7 +102,7 @@ BsdfValue evaluateLobe(Lobe lobe, vec3 normal, vec3 geometricNormal, vec3 wo, ve
     float pdfW = D / ((1.0 + outward) * o.z);
     float reversePdfW = D / ((1.0 + inward) * abs(i.z));
     if (lobe.transmits) {
-        float reflectance = meetInterface(cosMicro, lobe.eta).reflectance; // seen from wi it is the same
+        float reflectance = meetInterface(cosMicro, lobe.eta).reflectance; // the same seen from wi
         pdfW *= through ? 1.0 - reflectance : reflectance;
         reversePdfW *= through ? 1.0 - reflectance : reflectance;
     } else {

@@ -1,5 +1,5 @@
-// The two parts that a BSDF is made of: a diffuse one, and a lobe of GGX microfacets [Walter07] or of a smooth surface.
-// `wo` and `wi` are unit and point away from the surface, wo to the side that the normals are on.
+// The two parts of a BSDF: a diffuse one, and a lobe of GGX microfacets [Walter07] or of a smooth surface. `wo` and
+// `wi` are unit and point away from the surface, wo to the side that the normals are on.
 #ifndef HYALITE_PARTS_GLSL
 #define HYALITE_PARTS_GLSL
 #include "shared/limits.h"
@@ -10,27 +10,27 @@
 // How a surface reflects or refracts, seen from one side, without its diffuse part.
 struct Lobe {
     MaterialRecord material; // with its textures multiplied in
-    float eta;               // of a lobe that transmits: index of the side it is seen from over that of the other
+    float eta;               // of a transmitting lobe: index of the wo side over that of the other
     float alpha;             // of the GGX distribution; 0: smooth
     bool transmits;
-    bool isCoat; // over the material's other lobe
+    bool isCoat; // lies over the material's other lobe
 };
 
-// What carries over a boundary: radiance is scaled by the squared indices there, flux is not.
+// The transported quantity: radiance is scaled by the squared indices at a boundary, flux is not.
 const uint kRadiance = 0u; // along camera paths
 const uint kFlux = 1u;     // along photon paths
 
 struct BsdfSample {
     vec3 direction; // unit, away from the surface
     vec3 weight;    // BSDF times cosine over density; 0: absorbed
-    float pdfW;     // density [1/sr]; 0: smooth, there is no other direction
-    bool through;   // to the side where wo is not
+    float pdfW;     // density [1/sr]; 0: smooth, the direction is discrete
+    bool through;   // to the side opposite wo
 };
 
 struct BsdfValue {
     vec3 fCos;         // BSDF times the cosine of wi [1/sr]
-    float pdfW;        // density with which wi is sampled for wo [1/sr]
-    float reversePdfW; // and wo for wi, seen from wi's side [1/sr]
+    float pdfW;        // density of sampling wi for wo [1/sr]
+    float reversePdfW; // density of sampling wo for wi, from wi's side [1/sr]
 };
 
 const BsdfSample kAbsorbed = BsdfSample(vec3(0.0), vec3(0.0), 0.0, false);
@@ -50,7 +50,7 @@ uint lobeFlag(float roughness) {
     return facetAlpha(roughness) > 0.0 ? kBsdfGlossy : kBsdfSpecular;
 }
 
-// Of a surface that transmits nothing.
+// The lobe of a surface that does not transmit.
 Lobe reflectingLobe(MaterialRecord material, float alpha) {
     return Lobe(material, 1.0, alpha, false, false);
 }

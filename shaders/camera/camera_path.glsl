@@ -1,5 +1,5 @@
-// What becomes of camera paths at surfaces, alike for the integrators that take one way on and for Whitted's, which takes
-// all of them: what they see of lights, and what they leave behind or carry on.
+// Camera paths at surfaces, shared by the integrators that follow one direction and Whitted's, which follows all: the
+// light that a path sees, and the records that it leaves or passes on.
 #ifndef HYALITE_CAMERA_PATH_GLSL
 #define HYALITE_CAMERA_PATH_GLSL
 #include "shared/path_records.h"
@@ -10,9 +10,9 @@
 
 // ---- What a path sees of lights
 
-// Emission counts in full where no light was sampled for the path's direction; else the two are weighed against one
-// another [Veach95]. `pmf`: with which probability the light would have been picked. `normal`: the light's where the ray
-// meets it, `distance` away.
+// Emission counts in full if no light was sampled for the path's direction; otherwise multiple importance sampling
+// weights the two [Veach95]. `pmf`: probability of picking the light. `normal`: the light's, where the ray hits it,
+// `distance` away.
 float emissionWeight(LightRecord light, float pmf, Ray ray, float distance, vec3 normal, CameraPath path) {
     if (!(sceneHasRoughLobes() || kDiffuseBounces != 0u) || path.pdfW == 0.0) {
         return 1.0;
@@ -20,7 +20,8 @@ float emissionWeight(LightRecord light, float pmf, Ray ray, float distance, vec3
     return powerHeuristic(path.pdfW, pmf * lightPdf(light, ray.origin, ray.direction, distance, normal));
 }
 
-// From beyond the scene: the environment is the first of the lights. `every`: every light is sampled, none picked.
+// Emission of a ray that leaves the scene: the environment is the first light. `every`: every light is sampled, none
+// picked.
 vec3 emissionBeyond(LightArray lights, bool every, Ray ray, CameraPath path) {
     LightRecord light = lights.at[0];
     if (!isLight(light.type, kLightEnvironment)) {
@@ -30,7 +31,7 @@ vec3 emissionBeyond(LightArray lights, bool every, Ray ray, CameraPath path) {
            emissionWeight(light, every ? 1.0 : light.pmf, ray, kInfinity, vec3(0.0), path);
 }
 
-// From the surface that the ray meets `distance` away.
+// Emission of the surface that the ray hits `distance` away.
 vec3 emissionOf(Surface s, LightArray lights, bool every, Ray ray, float distance, CameraPath path) {
     if (s.light == kNone || !s.front) {
         return vec3(0.0);
@@ -42,7 +43,7 @@ vec3 emissionOf(Surface s, LightArray lights, bool every, Ray ray, float distanc
 
 // ---- What it leaves, and what goes on
 
-// `probability`: of the diffuse part among the directions that the path might have taken.
+// `probability`: that the path takes the diffuse part.
 VisiblePoint visibleAt(Surface s, vec3 wo, CameraPath path, uint depth, float probability) {
     return VisiblePoint(s.position + s.error * s.geometricNormal, depth, s.normal, path.samplerSeed, s.position,
                         leaving(s, false), wo, packUnitVector(s.geometricNormal, 16u), path.beta, path.pixel, s.uv,
@@ -54,13 +55,13 @@ VisiblePoint noVisiblePoint(CameraPath path) {
                         vec2(0.0), kNone, 1.0);
 }
 
-// `result`: where the light is to be added that it gets.
+// `result`: index where the point's light is added.
 RoughPoint roughAt(Surface s, Lobe lobe, vec3 wo, CameraPath path, uint depth, uint result) {
     return RoughPoint(s.position, s.error, s.normal, depth, s.geometricNormal, path.samplerSeed, wo, leaving(s, false),
                       path.beta, result, s.uv, s.material, lobe.isCoat ? 1u : 0u);
 }
 
-// The path behind the surface, with random numbers of its own if it is one of two.
+// The path after the surface, with its own random sequence if the surface emits two paths.
 CameraPath pathAfter(Surface s, BsdfSample next, CameraPath path, uint samplerSeed) {
     path.beta *= next.weight;
     path.samplerSeed = samplerSeed;

@@ -7,15 +7,15 @@
 #include "shapes/quotient.glsl"
 #include "lib/sampling.glsl"
 
-// A path and the ray that it goes on by.
+// A path and its next ray.
 struct NextRay {
     Ray ray;
     CameraPath path;
 };
 
-// Through a point of the pixel and a point of the lens that the pass chooses. The filter over the pixel is a box; the
-// lens is thin: it sends what leaves one point of the plane in focus to one point of the image, by whichever way through
-// the lens.
+// Starts a camera path through a point of the pixel and a point of the lens that the pass picks. Box filter over the
+// pixel; thin lens: light from a point of the plane in focus reaches the same image point through any point of the
+// lens.
 NextRay startAtCamera(CameraRecord camera, RenderSeed seed, uint pass, uint pixel) {
     Sampler sampler_ = cameraSampler(seed, pass, pixel);
     vec2 inPixel = sampleUnit(sampler_, kCameraPixel);

@@ -1,8 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Adds a pass to one layer of the film. Here light leaves the floats: what is no radiance is counted and left out.
+// Adds one pass to one layer of the film. Floats become fixed-point sums here; values that are not a radiance (NaN,
+// infinite, negative, too bright) are counted and left out.
 // reads: emission, direct or gathered light
-// writes: a layer of the film, counts of what is no radiance
+// writes: a layer of the film, counts of invalid values
 // threads: pixels
 // computes: exact sum over passes
 #include "shared/kernel_arguments.h"
@@ -30,7 +31,7 @@ void main() {
     if (i < args.count) {
         vec3 color = args.colors.at[i];
         if (color == vec3(0.0)) {
-            return; // most of caustics, and of what is met on the way
+            return; // most pixels of the caustic and emission layers
         }
         FilmColor sum = args.film.at[i];
         sum.red = addValue(sum.red, color.x, i);

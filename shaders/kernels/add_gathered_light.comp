@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Adds what a gathering ray found to the light of its pixel.
+// Adds the light that a gathering ray found to the ray's pixel.
 // reads: light found by gathering rays
 // writes: gathered light
 // threads: pixels

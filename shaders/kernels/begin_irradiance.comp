@@ -1,10 +1,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Makes visible points of the marked photons: the radiance estimate there, of no material, is the irradiance [Christensen99].
+// Turns the marked photons into visible points without a material: the radiance estimate there is the irradiance
+// [Christensen99].
 // reads: photons
 // writes: visible points
 // threads: photon slots
-// computes: a fourth of the photons, as places to estimate at [Christensen99]
+// computes: one photon in four becomes a place to estimate irradiance at [Christensen99]
 #include "shared/kernel_arguments.h"
 #include "photons/photon.glsl"
 #include "lib/thread.glsl"

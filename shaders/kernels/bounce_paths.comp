@@ -1,11 +1,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Path tracing goes on from diffuse surfaces, by the cosine. Roulette ends paths in proportion to what they still carry
-// [Arvo90].
+// Path tracing: continues paths at diffuse surfaces in cosine-distributed directions. Russian roulette ends paths in
+// proportion to the throughput they still carry [Arvo90].
 // reads: visible points, camera paths
 // writes: next rays and paths, alive flags
 // threads: camera paths
-// computes: β f π by the cosine, roulette p = max β [Arvo90]
+// computes: cosine-distributed bounce: β f π; roulette p = max β [Arvo90]
 #include "shared/kernel_arguments.h"
 #include "lights/receiver.glsl"
 #include "lib/sampling.glsl"
@@ -27,7 +27,7 @@ void main() {
     Sampler numbers = pathSampler(x.samplerSeed, args.pass);
     vec3 direction = cosineHemisphere(sampleUnit(numbers, pathBounce(vertex)), x.normal);
     if (dot(direction, unpackDirection(x.geometricNormal, 16u)) <= 0.0) {
-        return; // a smoothed normal leans over the edge of the surface: this way leads into it
+        return; // the smoothed normal tilts below the geometric surface: this direction leads into it
     }
     float cosine = max(0.0, dot(direction, x.normal));
     Receiver receiver = receiverAt(x, args.materials);

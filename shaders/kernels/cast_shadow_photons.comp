@@ -1,11 +1,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Follows photons straight from the light through everything in their way. On diffuse surfaces they leave a direct photon
-// first and shadow photons after that, without power: what the light reaches, and what it does not [JensenChristensen95].
+// Follows photons straight from the light through every surface. The first diffuse surface stores a direct photon,
+// later ones store shadow photons without power: the former marks what the light reaches, the latter what is occluded
+// [JensenChristensen95].
 // reads: rays, hits, paths, materials
 // writes: direct and shadow photons, next rays and paths, alive flags
 // threads: photon paths
-// computes: straight on through everything [JensenChristensen95]
+// computes: photons continue straight through every surface [JensenChristensen95]
 #include "shared/kernel_arguments.h"
 #include "bsdf/bsdf.glsl"
 #include "photons/photon.glsl"
@@ -22,7 +23,7 @@ void main() {
     }
     args.alive.at[i] = 0u;
     uint slot = args.firstPhoton + i + (isSome(uvec2(args.live)) ? args.live.at[0].before : 0u);
-    bool hasRoom = slot < args.room; // where there is none, the host sees it by the queue's size
+    bool hasRoom = slot < args.room; // if there is none, the host notices from the queue's size
     if (hasRoom) {
         args.photons.at[slot].surface = kNone;
     }

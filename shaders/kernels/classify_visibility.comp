@@ -1,11 +1,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Tells by the photons about a visible point which lights it sees: those whose photons nearby are all direct, and are
-// enough, are seen; those of which there are but shadow photons are hidden; of the rest a shadow ray decides [JensenChristensen95].
+// Decides from the photons around a visible point which lights are visible there. A light is visible if enough photons
+// are near and all are direct; it is occluded if all are shadow photons; otherwise a shadow ray decides
+// [JensenChristensen95].
 // reads: visible points, shadow map
-// writes: lights seen, lights hidden
+// writes: visible lights, occluded lights
 // threads: visible points
-// computes: all photons nearby agree [JensenChristensen95]
+// computes: visible or occluded where all photons of a light nearby agree [JensenChristensen95]
 #include "shared/kernel_arguments.h"
 #include "photons/nearest.glsl"
 #include "lib/thread.glsl"

@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Closes the gaps between the camera or photon paths that go on, keeping their order.
-// reads: next rays and paths, camera or photon, alive flags, their sums
+// Compacts the surviving camera or photon paths, in their order.
+// reads: next rays and paths (camera or photon), alive flags, their prefix sums
 // writes: rays, paths
 // threads: slots
-// computes: surviving paths, without gaps, in order
+// computes: compacted surviving paths, in order
 #include "shared/kernel_arguments.h"
 #include "lib/queue.glsl"
 

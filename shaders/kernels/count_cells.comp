@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Counts the photons of every bucket of the grid; empty slots do not count.
+// Counts the photons in every bucket of the grid; empty slots are skipped.
 // reads: photons
-// writes: photons per bucket, rank of each
+// writes: photons per bucket, rank of each photon in its bucket
 // threads: photon slots
 // computes: bucket = hash(y, z) + x
 #include "shared/kernel_arguments.h"

@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// First half of a radix sort's round: how often each digit occurs in every chunk of the three lists.
+// First half of a radix sort round: counts how often each digit occurs in every chunk of the three lists.
 // reads: keys along three axes
 // writes: digits per chunk
 // threads: chunks
-// computes: radix sort, first half of a round
+// computes: radix sort: first half of a round
 #include "shared/kernel_arguments.h"
 #include "lib/thread.glsl"
 
@@ -17,7 +17,7 @@ void main() {
     }
     uint chunks = args.count / 3u;
     uint axis = quotient(i, chunks), chunk = i - axis * chunks;
-    // By axis, then digit, then chunk: their exclusive sums are where each chunk's photons of each digit go
+    // Indexed by axis, then digit, then chunk: the exclusive sums say where each chunk's photons of each digit go
     uint counters = axis * kRadix * chunks + chunk;
     for (uint digit = 0u; digit < kRadix; ++digit) {
         args.counts.at[counters + digit * chunks] = 0u;

@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// How many photons of every chunk of a node's three lists go to its left child.
+// Counts the photons in every chunk of a node's three lists that go to its left child.
 // reads: lists, splits
-// writes: photons per chunk for the left child
+// writes: photons per chunk that go to the left child
 // threads: chunks
-// computes: –
+// computes: first half of a stable partition
 #include "shared/kernel_arguments.h"
 #include "photons/kdtree.glsl"
 #include "photons/kdtree_chunk.glsl"

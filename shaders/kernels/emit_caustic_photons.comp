@@ -1,11 +1,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Starts the photons of the caustic map: a light in proportion to power and share, a ray from it towards something
-// specular [Jensen01, ch. 5].
+// Emits the photons of the caustic map: picks a light in proportion to power and share, then a ray from it towards a
+// specular object [Jensen01, ch. 5].
 // reads: lights, targets
 // writes: rays, photon paths
 // threads: photons
-// computes: the same towards what is specular: Φ p / q, q the density of the cones [Jensen01]
+// computes: the same, aimed at specular objects: Φ p / q, q the density over the cones [Jensen01]
 #include "shared/kernel_arguments.h"
 #include "photons/projection.glsl"
 #include "lib/sampling.glsl"
@@ -28,7 +28,7 @@ void main() {
     AimedRay ray = aimRay(light, args.targets, args.targetCount, emitFrom(light, uOrigin, uDirection), choice.y, uOrigin,
                           uDirection);
     vec3 power = ray.power / (light.pmf * float(args.ofPass));
-    bool dark = maxComponent(power) <= 0.0; // the light does not shine that way: a ray of no length
+    bool dark = maxComponent(power) <= 0.0; // the light does not emit in this direction: a ray of zero length
     args.rays.at[i] = Ray(ray.origin, dark ? 0.0 : kInfinity, ray.direction, 0u);
     args.paths.at[i] = PhotonPath(power, photon, index, kPhotonDirect, kNone);
 }

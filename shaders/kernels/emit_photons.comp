@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Starts the photons of a pass: a light in proportion to power and share, a ray from it [Jensen01, ch. 5].
+// Emits the photons of a pass: picks a light in proportion to power and share, then a ray from it [Jensen01, ch. 5].
 // reads: lights
 // writes: rays, photon paths
 // threads: photons

@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The error that the picture has on account of chance. The passes of the two camera sequences, n and m of them, have
-// independent means A and B. With variances V / n and V / m, (A - B)^2 estimates V (n + m) / (n m), so that the variance
-// of the mean over all passes, V / (n + m), is estimated by (A - B)^2 n m / (n + m)^2.
+// Estimates the picture's Monte Carlo error. The n and m passes of the two camera sequences have independent means A
+// and B. With variances V / n and V / m, (A - B)^2 estimates V (n + m) / (n m), so (A - B)^2 n m / (n + m)^2 estimates
+// the variance of the mean over all passes, V / (n + m).
 // reads: sums over the passes of each camera sequence
 // writes: standard errors, sums of their squares
 // threads: pixels / 64
@@ -11,7 +11,7 @@
 #include "film/film.glsl"
 #include "lib/thread.glsl"
 
-const float kDarkFloor = 0.01; // keeps black pixels from deciding alone, as in relMSE [(W/(m^2 sr))^2]
+const float kDarkFloor = 0.01; // keeps black pixels from dominating, as in relMSE [(W/(m^2 sr))^2]
 
 layout(push_constant, scalar) uniform Push { EstimateErrorArguments args; };
 

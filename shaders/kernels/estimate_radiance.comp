@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Radiance estimate at every visible point from the k nearest photons [Jensen01, ch. 7]: the flux of those in a disc,
-// weighted by a filter, over the integral of the filter. The disc reaches to the k-th photon, which itself is left out:
-// k - 1 photons in a disc that the k-th ends estimate the density without bias; docs/photon-mapping.md has the proof.
+// Radiance estimate at every visible point from the k nearest photons [Jensen01, ch. 7]: the filter-weighted flux of
+// the photons in a disc, over the integral of the filter. The disc's radius is the distance of the k-th photon, which
+// is not counted: the k - 1 photons inside give an unbiased density; docs/photon-mapping.md has the proof.
 // reads: visible points, photon map
 // writes: gathered light, radii of the discs
 // threads: visible points
@@ -16,19 +16,20 @@
 
 layout(push_constant, scalar) uniform Push { EstimateRadianceArguments args; };
 
-// Photons that lie at the point itself would make a disc without area [largest radius].
+// Smallest disc radius: photons exactly at the point would make a disc of zero area [largest radius].
 const float kLeastDisc = 1.0 / 1024.0;
 
-// The Gaussian's slope in [Jensen01]; the factor in front of it there drops out, as its integral is divided by.
+// The Gaussian's slope in [Jensen01]; the paper's leading factor cancels because the estimate divides by the filter's
+// integral.
 const float kGaussianBeta = 1.953;
 
-// Parts of [0, 1] that a custom filter's mean is summed over.
+// Number of intervals of [0, 1] used to integrate a custom filter.
 const uint kFilterParts = 32u;
 
-// Photons of the smallest disc that is looked at for changes.
+// Number of photons in the smallest disc that is checked for an edge.
 const uint kFirstCheck = 8u;
 
-// The photons of the heap before `count`, in a disc of this radius.
+// The first `count` photons of the heap, in a disc of this radius.
 struct Disc {
     float radius;
     uint count;
@@ -38,8 +39,8 @@ vec4 photonTexel(uint found, uint texel) {
     return texelFetch(photonTable, int(2u * (args.map.base + heapPhoton[found]) + texel));
 }
 
-// Flux of one of the photons found that what lies over the diffuse part lets in, or 0 if it is too far off the tangent
-// plane, with this normal, to lie on the same surface.
+// Flux of one of the photons found, times the transmittance of any layer over the diffuse part; 0 if the photon lies
+// too far off the tangent plane with this normal to be on the same surface.
 vec3 fluxInDisc(uint found, VisiblePoint x, Receiver receiver, vec3 normal, float radius) {
     vec4 place = photonTexel(found, 0u);
     if (abs(dot(place.xyz - x.position, normal)) > kPlaneDistance * radius) {
@@ -53,7 +54,7 @@ vec3 fluxInDisc(uint found, VisiblePoint x, Receiver receiver, vec3 normal, floa
     return power * incidentFactor(receiver, dot(direction, x.normal));
 }
 
-// 1 at the centre.
+// Filter weight; 1 at the centre.
 float weight(float distance2, float radius2) {
     float u = distance2 / radius2;
     if (args.filterKind == kFilterCone) {
@@ -69,7 +70,7 @@ float weight(float distance2, float radius2) {
     return 1.0;
 }
 
-// Mean of the weight over the disc.
+// Mean filter weight over the disc.
 float meanWeight() {
     if (args.filterKind == kFilterCone) {
         return 1.0 - 2.0 / (3.0 * args.filterConstant);
@@ -78,7 +79,7 @@ float meanWeight() {
         float end = exponential(-kGaussianBeta);
         return ((1.0 - exponential(-0.5 * kGaussianBeta)) * 2.0 / kGaussianBeta - end) / (1.0 - end);
     }
-    if (args.filterKind == kFilterCustom) { // over the disc u is even on [0, 1]: the midpoint rule
+    if (args.filterKind == kFilterCustom) { // u is uniform on [0, 1] over the disc: midpoint rule
         float sum = 0.0;
         for (uint i = 0u; i < kFilterParts; ++i) {
             sum += customFilter((float(i) + 0.5) / float(kFilterParts));
@@ -88,12 +89,12 @@ float meanWeight() {
     return 1.0;
 }
 
-// Differential checking, after [Jensen95]: lets a disc grow through the photons by a quarter of their number at a time.
-// Where the density, the sum of the channels, has risen or fallen without a turn by more than maxChange of what it was
-// when it began to, an edge has been met, and the disc from which on it rose or fell is the answer.
+// Differential checking, after [Jensen95]: grows a disc through the photons, a quarter of their number at a time. If
+// the density (sum of the channels) has risen or fallen monotonically by more than maxChange, relative to its value at
+// the start of that trend, the disc has crossed an edge; the answer is the disc where the trend started.
 Disc stopAtEdge(Disc whole, VisiblePoint x, Receiver receiver, vec3 normal) {
-    Disc start = whole;    // from which on the density rises or falls
-    Disc previous = whole; // the one before
+    Disc start = whole;    // where the present rise or fall of the density started
+    Disc previous = whole; // the disc of the step before
     float startDensity = 0.0, previousDensity = 0.0, flux = 0.0;
     bool rises = false;
     uint next = kFirstCheck;
@@ -139,7 +140,7 @@ void main() {
     NearestQuery query =
         NearestQuery(x.position, x.normal, args.radius, args.nearest, args.kinds, x.depth, args.maxDepth);
     findNearest(args.map, query);
-    sortNearest(args.map, query); // so that the sum below has one order in every structure
+    sortNearest(args.map, query); // so that the sum below has the same order for both search structures
     Disc disc = Disc(args.radius, heapCount);
     if (heapCount == args.nearest) {
         --disc.count;

@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Lists the photons bucket by bucket; inside a bucket the order is yet that of arrival.
+// Lists the photons bucket by bucket; within a bucket the order is still that of arrival.
 // reads: photons, cell starts, ranks
 // writes: photon numbers by bucket
 // threads: photon slots
-// computes: counting sort
+// computes: counting sort: scatter
 #include "shared/kernel_arguments.h"
 #include "photons/grid.glsl"
 #include "lib/thread.glsl"

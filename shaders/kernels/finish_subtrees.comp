@@ -1,11 +1,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Builds the kd-tree below one level: a thread each, for subtrees so small that splitting their lists among threads
-// would cost more than it saves.
+// Builds the kd-tree below one level, one thread per subtree: the subtrees are so small that splitting their lists
+// among threads would cost more than it saves.
 // reads: lists
-// writes: splits of all nodes below
+// writes: splits of all nodes of the subtrees
 // threads: subtrees
-// computes: the same, by one thread
+// computes: the splits of split_nodes and part_sides, a subtree per thread
 #include "shared/kernel_arguments.h"
 #include "photons/kdtree.glsl"
 #include "lib/thread.glsl"

@@ -1,7 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Radiance estimate at every visible point: the flux of the photons in a disc about it, over the disc's area
-// [Jensen01, ch. 7], here with a fixed radius and without what of the disc lies beyond the edges of the surface.
+// Radiance estimate at every visible point: the flux of the photons in the disc around it, over the disc's area
+// [Jensen01, ch. 7]. The radius is fixed; the part of the disc that lies beyond the edges of the surface is subtracted
+// from the area.
 // reads: visible points, cell starts, photon table
 // writes: gathered light
 // threads: visible points
@@ -15,7 +16,7 @@
 
 layout(push_constant, scalar) uniform Push { GatherRadianceArguments args; };
 
-// Bit i is set where photon `first` + i is within the radius; `count` is at most 32.
+// Bit i is set if photon `first` + i is within the radius; `count` is at most 32.
 uint nearPhotons(vec3 position, uint first, uint count) {
     uint near = 0u;
     for (uint i = 0u; i < count; ++i) {
@@ -25,7 +26,8 @@ uint nearPhotons(vec3 position, uint first, uint count) {
     return near;
 }
 
-// Flux of the photon that what lies over the diffuse part lets in, if it counts for x, else 0. It is within the radius.
+// Flux of the photon times the transmittance of any layer over the diffuse part, if the photon counts for x, else 0.
+// The photon is within the radius.
 vec3 photonFlux(VisiblePoint x, Receiver receiver, vec3 normal, uint photon) {
     vec4 place = texelFetch(photonTable, int(2u * photon));
     vec3 offset = place.xyz - x.position;
@@ -57,8 +59,9 @@ void main() {
         receiver = receiverAt(x, args.materials);
         CellWalk walk = walkCells(x.position, args.radius, args.radius * discExtent(normal), args.grid);
         uint photon = 0u, end = 0u;
-        // Row by row: neighbouring threads keep step, for their discs and so their rows are much the same. One photon
-        // in five is near enough, but not the same one for all threads of a subgroup: each lists its own first.
+        // Row by row: neighbouring threads stay in step because their discs, and so their rows, are nearly the same.
+        // Only one photon in five is within the radius, but a different one for each thread of a subgroup: each thread
+        // first lists its own.
         while (nextRange(walk, args.grid, args.cellStarts, photon, end)) {
             while (photon < end) {
                 uint chunk = min(end - photon, 32u);

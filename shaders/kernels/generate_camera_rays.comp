@@ -4,7 +4,7 @@
 // reads: camera
 // writes: rays, camera paths
 // threads: pixels
-// computes: image point to direction; box filter; thin lens
+// computes: ray direction from the image point; box filter; thin lens
 #include "shared/kernel_arguments.h"
 #include "camera/camera_ray.glsl"
 #include "lib/thread.glsl"

@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Numbers the stored photons in the order of their slots and writes the three keys that each is sorted by.
-// reads: photons, sums of the marks
+// Numbers the stored photons in slot order and writes the three sort keys of each.
+// reads: photons, prefix sums of the marks
 // writes: sort keys of the stored photons
 // threads: photon slots
-// computes: –
+// computes: one key per axis, ordered as the coordinate
 #include "shared/kernel_arguments.h"
 #include "photons/kdtree.glsl"
 #include "lib/thread.glsl"

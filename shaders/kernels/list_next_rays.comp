@@ -1,9 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Lists the slots where next rays stand, without gaps and in order, a chunk of paths a thread. The rays themselves stay
-// where they are: to copy them costs more than to look up where they stand.
-// reads: used slots of paths, their sums over chunks
-// writes: slots, without gaps, in order
+// Lists the slots that hold next rays, compacted and in order; one thread handles a chunk of paths. The rays stay where
+// they are: copying them costs more than looking up their slots.
+// reads: used slots per path, their sums over chunks
+// writes: compacted list of slots, in order
 // threads: chunks
 // computes: second half of a prefix sum, applied
 #include "shared/kernel_arguments.h"

@@ -1,9 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// What a gathering ray finds at the diffuse surface where it ends: the irradiance of the nearest record there
-// [Christensen99], reflected.
+// Radiance that a gathering ray finds at the diffuse surface it hits: the irradiance of the nearest record
+// [Christensen99], times the BSDF.
 // reads: visible points, irradiance map
-// writes: light gathered by rays
+// writes: light found by gathering rays
 // threads: visible points
 // computes: L += f E of the nearest record [Christensen99]
 #include "shared/kernel_arguments.h"
@@ -26,7 +26,7 @@ void main() {
     if (heapCount > 0u) {
         vec4 record = texelFetch(photonTable, int(2u * (args.map.base + heapPhoton[0]) + 1u));
         Receiver receiver = receiverAt(y, args.materials);
-        // Where that irradiance comes from is not known: from everywhere alike
+        // The irradiance's directions are unknown: assume it arrives uniformly from the hemisphere
         args.gathered.at[i] += (args.scale * meanOverDiffuse(receiver.material)) * receiver.f * record.xyz;
     }
 }

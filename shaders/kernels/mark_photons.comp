@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Tells the slots that hold a photon from the empty ones.
+// Marks the slots that hold a photon; the others are empty.
 // reads: photons
 // writes: 1 per stored photon
 // threads: photon slots
-// computes: –
+// computes: flags for a prefix sum
 #include "shared/kernel_arguments.h"
 #include "lib/thread.glsl"
 

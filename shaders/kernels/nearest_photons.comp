@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The answers of photons/nearest.glsl themselves, so that they can be compared with those of asking every photon.
+// Writes the results of photons/nearest.glsl themselves, so that tests can compare them with a brute-force search.
 // reads: visible points, photon map
 // writes: slots of the nearest photons
 // threads: visible points
-// computes: asked by tests; the search of estimate_radiance
+// computes: the photon search of estimate_radiance, for tests
 #include "shared/kernel_arguments.h"
 #include "photons/nearest.glsl"
 #include "lib/thread.glsl"

@@ -1,11 +1,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Sorts every bucket by photon number, so that sums over it have one order and one result: an insertion sort for the
-// usual handful, a heap sort where a caustic has heaped up thousands.
+// Sorts every bucket by photon number, so that sums over it always have the same order and result: insertion sort for
+// the usual handful of photons, heap sort for the thousands of a caustic.
 // reads: cell starts, photon numbers
 // writes: the same, ascending in each bucket
 // threads: buckets
-// computes: makes later sums reproducible
+// computes: sort by photon number: makes later sums reproducible
 #include "shared/kernel_arguments.h"
 #include "lib/thread.glsl"
 
@@ -29,7 +29,7 @@ void insertionSort(uint first, uint count) {
     }
 }
 
-// Lets `value` sink from `node` to its place in the heap of `count` values, the largest on top.
+// Sifts `value` down from `node` to its place in the heap of `count` values, the largest on top.
 void siftDown(uint first, uint node, uint count, uint value) {
     while (2u * node + 1u < count) {
         uint child = 2u * node + 1u;

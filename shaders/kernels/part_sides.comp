@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Parts the three lists of every node of one level: left child, the photon that splits (which leaves the lists here),
-// right child, each in the order it had.
-// reads: lists, splits, sums of these
+// Partitions the three lists of every node of one level into left child, splitting photon (which leaves the lists here)
+// and right child, each in its previous order.
+// reads: lists, splits, prefix sums of the left counts
 // writes: lists of the next level
 // threads: chunks
 // computes: stable partition [Brown15]
@@ -24,7 +24,7 @@ void main() {
     uint left = chunk.first + leftBefore;
     uint right = chunk.first + kdLeftCount(chunk.nodeCount) + 1u + (chunk.begin - chunk.first) - leftBefore;
     if (chunk.begin > chunk.first && chunk.begin < chunk.end) {
-        // The photon that splits goes to neither side; it has been passed where this list has it before the chunk
+        // The splitting photon goes to neither side; skip it if this list has it before the chunk
         KeyedPhoton next = args.lists.at[chunk.begin];
         right -= isLeft(chunk.middle.key[chunk.list], chunk.middle.photon, next.key[chunk.list], next.photon) ? 1u : 0u;
     }

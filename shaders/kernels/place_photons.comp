@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Copies the photons to their nodes of the kd-tree, each with the axis that it splits.
+// Copies the photons to their nodes of the kd-tree, each with its split axis.
 // reads: photons, splits
 // writes: kd-tree (the photon table)
 // threads: photons
-// computes: node i has children 2i + 1, 2i + 2 [Wald22]
+// computes: heap order: node i has children 2i + 1, 2i + 2 [Wald22]
 #include "shared/kernel_arguments.h"
 #include "lib/thread.glsl"
 

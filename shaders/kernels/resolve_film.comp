@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The film as a picture: the mean over passes.
+// Resolves the film to a picture: the mean over passes.
 // reads: film
 // writes: image
 // threads: pixels

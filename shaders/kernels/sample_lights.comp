@@ -1,11 +1,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Picks a direction to a light for each visible point, and says which shadow ray decides whether its light arrives.
+// Samples a light, and a direction to it, for each visible point; writes the shadow ray and the contribution it decides
+// about.
 // reads: visible points, lights
 // writes: shadow rays, contributions
 // threads: visible points
-// computes: L = f E cosθ / pmf: of surfaces E = Le cosθ' A / d², of points I / d², of the environment Le / pdfW; where
-//     paths go on, times p² / (p² + q²), q = cosθ / π [Veach95]
+// computes: L = f E cosθ / pmf: area lights E = Le cosθ' A / d², points I / d², environment Le / pdfW; if
+//     paths continue, times p² / (p² + q²), q = cosθ / π [Veach95]
 #include "shared/kernel_arguments.h"
 #include "lights/direct_light.glsl"
 #include "lib/queue.glsl"

@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Picks a point on a light for each rough point and adds its light if nothing stands between.
+// Samples a point on a light for each rough point and adds its light if it is unoccluded.
 // reads: rough points, lights, tables
 // writes: direct light
 // threads: camera paths
-// computes: L = f E cosθ / pmf as above, times p² / (p² + q²) where rays can find the light too [Veach95], [Walter07]
+// computes: L = f E cosθ / pmf as above, times p² / (p² + q²) if BSDF sampling can also hit the light [Veach95], [Walter07]
 #include "shared/kernel_arguments.h"
 #include "lights/direct_light.glsl"
 #include "shapes/scene.glsl"

@@ -1,10 +1,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Second half of a prefix sum: exclusive sums within every chunk, on top of what precedes the chunk; the total last.
-// reads: values, what precedes each chunk
+// Second half of a prefix sum: exclusive sums within every chunk, plus the sum of the chunks before it; the total comes
+// last.
+// reads: values, sum of the chunks before each chunk
 // writes: exclusive sums
 // threads: chunks
-// computes: second half
+// computes: second half of a prefix sum of many
 #include "shared/kernel_arguments.h"
 #include "lib/queue.glsl"
 

@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// A prefix sum of few values by one workgroup: each thread adds up its share of them, and starts with what the threads
-// before it have found. Where three dispatches in turn would cost more than the core that stands idle meanwhile. Whatever
-// the number of values, the sums over a queue's flags end here: the total is how large the queue will be.
-// reads: values; of a queue's flags, the queue's size
-// writes: exclusive sums; of a queue's flags, its next size
+// A prefix sum of few values by one workgroup: each thread sums its share of the values, then starts from the total of
+// the threads before it. Used where three successive dispatches would cost more than leaving the other cores idle.
+// Every prefix sum over a queue's flags ends here, whatever the number of values: the total is the queue's next size.
+// reads: values; for a queue's flags, the queue's size
+// writes: exclusive sums; for a queue's flags, its next size
 // threads: one workgroup
 // computes: prefix sum of few values
 #include "shared/kernel_arguments.h"

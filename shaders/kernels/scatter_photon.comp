@@ -1,12 +1,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// What becomes of a photon where it lands: on a diffuse surface it is stored, then Russian roulette decides between
-// reflection and absorption [Jensen01, ch. 5]. Nothing follows a photon that has used all but the last segment of the
-// longest path: that one belongs to the camera.
+// Handles each photon where it lands: a diffuse surface stores it, then Russian roulette decides between reflection and
+// absorption [Jensen01, ch. 5]. A photon may use all segments of the longest path but the last: that one belongs to the
+// camera.
 // reads: rays, hits, paths, materials, textures
 // writes: photons, next rays and paths, alive flags
 // threads: photon paths
-// computes: store; Russian roulette p = max albedo [Jensen01]
+// computes: store photon; Russian roulette, p = max albedo [Jensen01]
 #include "shared/kernel_arguments.h"
 #include "bsdf/bsdf.glsl"
 #include "bsdf/medium.glsl"
@@ -39,7 +39,7 @@ void follow(uint i, Surface s, BsdfSample next, PhotonPath path, vec3 power, uin
     args.alive.at[i] = 1u;
 }
 
-// Leaves the surface by its lobe or its diffuse part if roulette lets it. Returns the flux that went on.
+// Scatters the photon by the lobe or the diffuse part if it survives roulette. Returns the flux that continues.
 vec3 scatter(uint i, Surface s, MaterialRecord material, Lobe lobe, vec3 wo, PhotonPath path) {
     Sampler numbers = photonSampler(args.sequence, path.photon);
     vec2 roulette = sampleUnit(numbers, photonScatter(args.depth - 1u));
@@ -54,7 +54,7 @@ vec3 scatter(uint i, Surface s, MaterialRecord material, Lobe lobe, vec3 wo, Pho
         next = sampleLobe(lobe, s.normal, s.geometricNormal, wo, u, roulette.y, kFlux);
         next.weight /= probability;
         next.weight /= ofLobe;
-        kind = path.kind == kPhotonDirect ? kPhotonCaustic : path.kind; // until it meets a diffuse surface
+        kind = path.kind == kPhotonDirect ? kPhotonCaustic : path.kind; // until it hits a diffuse surface
     } else {
         if (!isWanted(kPhotonIndirect)) {
             return vec3(0.0);
@@ -86,7 +86,7 @@ void main() {
     }
     args.alive.at[i] = 0u;
     uint slot = args.firstPhoton + i + (isSome(uvec2(args.live)) ? args.live.at[0].before : 0u);
-    bool hasRoom = slot < args.room; // where there is none, the host sees it by the queue's size
+    bool hasRoom = slot < args.room; // if there is none, the host notices from the queue's size
     if (hasRoom) {
         args.photons.at[slot].surface = kNone;
     }
@@ -100,7 +100,7 @@ void main() {
     Surface s = surfaceAt(ray, hit, args.normals, args.instances);
     vec3 started = path.power;
     path.power *= transmittance(args.materials, path.medium, hit.t);
-    vec3 lost = started - path.power; // in glass, on the way here
+    vec3 lost = started - path.power; // absorbed in glass on the way here
     if (s.material == kNone) {
         account(path, vec3(0.0), started, vec3(0.0), vec3(0.0));
         return;

@@ -2,9 +2,9 @@
 #extension GL_GOOGLE_include_directive : require
 // Known answers for selfTest() on the host: a long loop, texel fetches, and a struct in scalar layout.
 // reads: –
-// writes: answers that are known
+// writes: known answers
 // threads: 1024
-// computes: the driver counts, loads and lays out as it should
+// computes: checks the driver's loops, loads and struct layout
 #include "lib/thread.glsl"
 #include "shared/self_test.h"
 

@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Decides what becomes of each camera path at its hit: emission is added to its pixel's, a diffuse part ends the path as
-// the pixel's visible point, a lobe sends it on. At smooth glass it takes one of reflection and refraction, at a surface
-// with both a diffuse part and a lobe one of these.
+// Shades each camera path at its hit: adds the emission to the path's pixel; a diffuse part ends the path as the
+// pixel's visible point; a lobe continues the path. At smooth glass a random decision picks reflection or refraction;
+// at a surface with a diffuse part and a lobe it picks one of the two.
 // reads: rays, hits, paths, materials, textures, lights
-// writes: visible and rough points, emission (the environment's where nothing was hit), next rays and paths, alive
+// writes: visible and rough points, emission (the environment's if nothing was hit), next rays and paths, alive
 //     flags
 // threads: paths
 // computes: reflection R = I − 2(N·I)N, Snell, Fresnel [Whitted80], microfacets [Walter07]; e^(−σt) in glass
@@ -25,15 +25,15 @@ void follow(uint i, Surface s, BsdfSample next, CameraPath path) {
     }
 }
 
-// The random number that chooses between the ways to go on.
+// The random number that picks one of the directions, or lobe or diffuse part.
 float chosen(CameraPath path) {
     return sampleUnit(pathSampler(path.samplerSeed, args.pass), cameraScatter(args.depth - 1u)).x;
 }
 
-// With which probability a path takes the reflection at smooth glass: as much as is reflected; but where the one way leads
-// to a light and the other does not, that one gets no less than kShareToLight. A lamp that only 4 % of a pixel's paths see
-// is else what is noisy about glass. What is reflected inside is followed through the next face, taken for that of a ball
-// or, of all other shapes, for that of a pane: in both each way inside is as long as the last.
+// Probability of following the reflection at smooth glass: the reflectance, except where only one of the two directions
+// leads to a light; that one then gets at least kShareToLight. Otherwise a light that only 4 % of a pixel's paths reach
+// dominates the noise behind glass. The internally reflected ray is followed through the next face, assuming a ball or,
+// for any other shape, a parallel pane: in both, successive segments inside have equal length.
 float reflectionProbability(Interface glass, Surface s, Hit hit, vec3 wo, float cosOut) {
     float F = glass.reflectance;
     if (kLightsSought == 0u || F <= 0.0 || F >= 1.0) {
@@ -55,7 +55,7 @@ float reflectionProbability(Interface glass, Surface s, Hit hit, vec3 wo, float 
     return reflects ? max(F, kShareToLight) : min(F, 1.0 - kShareToLight);
 }
 
-// One way at smooth glass, weighted by what its probability is not.
+// Follows reflection or refraction at smooth glass; the weight is whatever the selection probability does not cancel.
 void takeOneWay(uint i, Surface s, Hit hit, vec3 wo, Lobe lobe, CameraPath path) {
     float cosOut = clamp(dot(wo, s.normal), 0.0, 1.0);
     Interface glass = meetInterface(cosOut, lobe.eta);
@@ -68,8 +68,8 @@ void takeOneWay(uint i, Surface s, Hit hit, vec3 wo, Lobe lobe, CameraPath path)
     follow(i, s, next, path);
 }
 
-// Sends the path on; at a rough lobe the lights are to be sampled too. Its throughput has the lobe's probability
-// divided out.
+// Continues the path; at a rough lobe it also leaves a rough point, where lights are sampled. The lobe's probability is
+// divided out of the throughput.
 void leaveByLobe(uint i, Surface s, vec3 wo, Lobe lobe, CameraPath path, float choice) {
     vec2 u = vec2(0.0);
     if (sceneHasRoughLobes() && lobe.alpha > 0.0) {
@@ -81,7 +81,7 @@ void leaveByLobe(uint i, Surface s, vec3 wo, Lobe lobe, CameraPath path, float c
     follow(i, s, sampleLobe(lobe, s.normal, s.geometricNormal, wo, u, choice, kRadiance), path);
 }
 
-// Where the material has a diffuse part and a lobe, the path takes one of them.
+// If the material has both a diffuse part and a lobe, the path follows one of them.
 void scatter(uint i, Surface s, Hit hit, MaterialRecord material, vec3 wo, CameraPath path, inout VisiblePoint visible) {
     Lobe lobe = lobeOf(material, s.front);
     if (isSmoothGlass(lobe)) {

@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Draws what geometry says of the surface that each ray meets first: to look at, not light.
+// Draws the geometry that each ray hits first: normals or distances instead of light.
 // reads: rays, hits, tables
 // writes: colours
 // threads: rays
-// computes: normals or distances, to look at
+// computes: normals or distances as colours
 #include "shared/kernel_arguments.h"
 #include "shapes/surface.glsl"
 #include "lib/thread.glsl"

@@ -1,10 +1,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Spares the shadow rays whose answer the photons gave: what is lit gets its light, what is shadowed gets none.
-// reads: lights seen and hidden, shadow rays, contributions
+// Skips the shadow rays whose answer the photons gave: adds the light where it is visible, drops it where it is
+// occluded.
+// reads: visible and occluded lights, shadow rays, contributions
 // writes: shadow rays, direct light, counts
 // threads: shadow rays
-// computes: –
+// computes: shadow photons replace shadow rays [JensenChristensen95]
 #include "shared/kernel_arguments.h"
 #include "lib/counter.glsl"
 #include "lib/thread.glsl"

@@ -1,11 +1,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Second half of a radix sort's round: moves every photon of the three lists to where its digit belongs, those of one
-// digit in the order they had. The last round leaves the lists, with all three keys of each photon.
-// reads: keys, where each chunk's digits go
-// writes: keys by one more digit
+// Second half of a radix sort round: moves every photon of the three lists to the place of its digit, keeping the order
+// of equal digits. The last round leaves the lists, with all three keys of each photon.
+// reads: keys, offsets of each chunk's digits
+// writes: keys sorted by one more digit
 // threads: chunks
-// computes: second half
+// computes: radix sort: second half of a round
 #include "shared/kernel_arguments.h"
 #include "lib/thread.glsl"
 

@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Copies the photons into grid order: those of a bucket stand together.
+// Copies the photons into grid order: the photons of a bucket are contiguous.
 // reads: photons, their order
 // writes: sorted photons (the photon table)
 // threads: photons
-// computes: –
+// computes: gather by the sorted order
 #include "shared/kernel_arguments.h"
 #include "lib/thread.glsl"
 

@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Draws photons as points: each that nothing hides from the camera counts in the pixel it projects to.
+// Draws photons as points: counts each photon that is visible to the camera in the pixel it projects to.
 // reads: photons, tables
 // writes: photons per pixel and kind
 // threads: photons
-// computes: projection onto the image, hidden points left out
+// computes: projection onto the image, occluded points left out
 #include "shared/kernel_arguments.h"
 #include "photons/photon.glsl"
 #include "shapes/scene.glsl"
@@ -12,7 +12,7 @@
 
 layout(push_constant, scalar) uniform Push { SplatPhotonsArguments args; };
 
-// A point is hidden by what is nearer than this share of its distance: not by its own surface.
+// A hit closer than this share of the point's distance occludes it; the point's own surface does not.
 const float kNear = 0.999;
 
 void main() {

@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Chooses the axis and the photon that split every node of one level of the kd-tree.
+// Chooses the axis and the photon that split each node of one level of the kd-tree.
 // reads: lists of photons along three axes
-// writes: what splits each node of a level
+// writes: splitting photon and axis of each node of a level
 // threads: nodes
-// computes: longest edge, middle photon [Jensen01]
+// computes: split the longest edge at the middle photon [Jensen01]
 #include "shared/kernel_arguments.h"
 #include "photons/kdtree.glsl"
 #include "lib/thread.glsl"

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Final gathering: one ray from each visible point, with the density cos / pi that its surface weighs light by.
+// Final gathering: one ray from each visible point, with density cos / pi.
 // reads: visible points
 // writes: rays, camera paths, alive flags
 // threads: visible points
@@ -25,7 +25,7 @@ void main() {
     uint sequence = gatherSequence(x.samplerSeed);
     vec3 direction = cosineHemisphere(sampleUnit(pathSampler(sequence, args.pass), kGatherDirection), x.normal);
     if (dot(direction, unpackDirection(x.geometricNormal, 16u)) <= 0.0) {
-        return; // a smoothed normal leans over the edge of the surface: no light comes from within
+        return; // the smoothed normal tilts below the geometric surface: no light comes from inside
     }
     args.rays.at[i] = Ray(x.position, kInfinity, direction, x.from);
     Receiver receiver = receiverAt(x, args.materials);

@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Turns the marked photons into records that hold the irradiance of their surface in place of a flux [Christensen99].
+// Turns the marked photons into irradiance records: the irradiance of their surface replaces the flux [Christensen99].
 // reads: photons, irradiance
-// writes: records of irradiance
+// writes: irradiance records
 // threads: photon slots
 // computes: –
 #include "shared/kernel_arguments.h"

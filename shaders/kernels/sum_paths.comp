@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Adds what the paths of one pixel carry, in their order: the first of each run of equal pixels adds them all.
-// reads: pixels of paths, their light
+// Sums the light of each pixel's paths in order: the first path of each run of equal pixels adds the whole run.
+// reads: pixels and light of paths
 // writes: pixels
 // threads: paths
-// computes: a pixel's tree of rays, summed in order
+// computes: sum over each pixel's ray tree, in order
 #include "shared/kernel_arguments.h"
 #include "lib/queue.glsl"
 

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Finds the closest hit of every ray.
-// reads: rays, tables of geometry and objects
+// reads: rays, geometry and object tables
 // writes: hits
 // threads: rays
 // computes: nearest t of every shape along the ray ([geometry](../../docs/geometry.md))

@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Adds what a light contributes wherever nothing stands between it and the surface.
+// Adds each light contribution whose shadow ray is unoccluded.
 // reads: shadow rays, contributions, tables
 // writes: direct light
 // threads: shadow rays
-// computes: adds what nothing blocks
+// computes: adds unoccluded contributions
 #include "shared/kernel_arguments.h"
 #include "shapes/scene.glsl"
 #include "lib/counter.glsl"

@@ -1,17 +1,16 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// One level of the pixels' trees of rays [Whitted80], a ray a thread, from the ray to its light: the hit, what the surface
-// emits, what comes to it straight from every lamp, and the rays that go on. At smooth glass both do, reflected and
-// refracted, each with a sequence of random numbers of its own; where a surface has a diffuse part and a lobe, that is
-// lit and this sends its ray.
+// Traces one level of the pixels' ray trees [Whitted80], one thread per ray: the hit, the surface's emission, direct
+// light from every light, and the next rays. Smooth glass emits both a reflected and a refracted ray, each with its own
+// random sequence; a surface with a diffuse part and a lobe is lit on the former and continues by the latter.
 //
-// All in one kernel: with nothing to gather between the stages, what they hand on by memory costs more than it brings
+// All in one kernel: without photons to gather between the stages, passing data through memory costs more than it gains
 // (docs/performance.md). An observer still sees it: `keptRays`.
-// reads: slots of rays, rays and camera paths of the level before, tables, materials, textures, lights
-// writes: light, pixels, rough points, next rays and paths, how many of a path's slots are used; for observers, hits,
+// reads: slots of rays, rays and camera paths of the previous level, tables, materials, textures, lights
+// writes: light, pixels, rough points, next rays and paths, number of used slots per path; for observers: hits,
 //     emission, visible points
-// threads: rays of a level
-// computes: the four stages above for a level of the trees of rays: R and 1 − R at glass, L = Σ f I cosθ / d² over the
+// threads: rays of one level
+// computes: the four stages above for one level of the ray trees: R and 1 − R at glass, L = Σ f I cosθ / d² over the
 //     lights [Whitted80]
 #include "shared/kernel_arguments.h"
 #include "camera/camera_path.glsl"
@@ -25,7 +24,7 @@
 
 layout(push_constant, scalar) uniform Push { TraceWhittedArguments args; };
 
-uint children = 0u; // next rays of this path, so far
+uint children = 0u; // next rays of this path so far
 Receiver receiver;  // at its visible point
 
 void follow(uint i, Surface s, BsdfSample next, CameraPath path, uint samplerSeed) {
@@ -52,10 +51,10 @@ void splitAtGlass(uint i, Surface s, vec3 wo, Lobe lobe, CameraPath path) {
     }
 }
 
-// A rough lobe gets its light from sample_rough_lights, at `result`.
+// sample_rough_lights adds the light of a rough lobe at `result`.
 void leaveByLobe(uint i, Surface s, vec3 wo, Lobe lobe, CameraPath path, uint result) {
     vec2 u = vec2(0.0);
-    float choice = 0.0; // between the ways of rough glass
+    float choice = 0.0; // between reflection and refraction at rough glass
     if (sceneHasRoughLobes() && lobe.alpha > 0.0) {
         Sampler numbers = pathSampler(path.samplerSeed, args.pass);
         u = sampleUnit(numbers, cameraBounce(args.depth - 1u));
@@ -81,7 +80,7 @@ void scatter(uint i, Surface s, MaterialRecord material, vec3 wo, CameraPath pat
         receiver = receiverOf(visible, material);
     }
     if (probability > 0.0) {
-        if (isCoated(material)) { // of two lobes it follows one
+        if (isCoated(material)) { // it follows one of two lobes
             float ofLobe;
             Sampler numbers = pathSampler(path.samplerSeed, args.pass);
             lobe = pickLobe(lobe, cosOut, sampleUnit(numbers, cameraScatter(args.depth - 1u)).x, ofLobe);
@@ -91,7 +90,7 @@ void scatter(uint i, Surface s, MaterialRecord material, vec3 wo, CameraPath pat
     }
 }
 
-// From every lamp onto a diffuse surface.
+// Direct light from every light onto a diffuse surface.
 vec3 lightOn(VisiblePoint x) {
     vec3 sum = vec3(0.0);
     uint rays = 0u;

@@ -1,14 +1,14 @@
-// The checked build of the kernels: what stands between an index and the array it is for (host/gpu/checked_kernels.h).
+// The checked build of the kernels: bounds checks on every array index (host/gpu/checked_kernels.h).
 #ifndef HYALITE_CHECKED_GLSL
 #define HYALITE_CHECKED_GLSL
 
 #extension GL_EXT_buffer_reference_uvec2 : require
 
-// Texel 0: how many buffers there are, and the address of the report. Then each buffer's address and its bytes, in
-// ascending order of the addresses.
+// Texel 0: number of buffers, and the address of the report. Then address and size in bytes of each buffer, in
+// ascending order of address.
 layout(set = 0, binding = 31) uniform usamplerBuffer checkTable;
 
-// How many indices were outside, and of the first its site, thread, index and the length of its array.
+// Number of indices out of bounds; for the first one its site, thread, index and array length.
 layout(buffer_reference, std430, buffer_reference_align = 4) buffer CheckReport {
     uint outside;
     uint site;
@@ -26,15 +26,15 @@ void reportOutside(uint index, uint length, uint site) {
     }
 }
 
-// Of 64 bits.
+// Difference of two 64-bit addresses [bytes].
 uvec2 distanceBytes(uvec2 from, uvec2 to) {
     return uvec2(to.x - from.x, to.y - from.y - (to.x < from.x ? 1u : 0u));
 }
 
-// The index if the array at this address has it, else 0; `behind`: the address of its second element.
+// The index if it is within the array at this address, else 0; `behind`: the address of its second element.
 int checkedIndex(uvec2 array, uvec2 behind, uint index, uint site) {
     uint stride = behind.x - array.x;
-    uint low = 0u; // the last buffer that begins at the array or before it; 0: none
+    uint low = 0u; // the last buffer that begins at or before the array; 0: none
     uint high = texelFetch(checkTable, 0).x + 1u;
     while (high - low > 1u) {
         uint middle = (low + high) / 2u;

@@ -1,6 +1,6 @@
-// Printing from kernels, for experiments: debugPrint(value) with a float, int, uint or a vector of two to four of them.
-// `hyalite live` shows what was printed, with kernel, line and thread; elsewhere it goes nowhere. An own buffer rather than
-// debugPrintfEXT, which needs the validation layers and their time.
+// Printing from kernels, for experiments: debugPrint(value) takes a float, int, uint or a vector of two to four of
+// them. `hyalite live` shows the output with kernel, line and thread; elsewhere it is discarded. A buffer of its own
+// rather than debugPrintfEXT, which needs the validation layers and is slow.
 #ifndef HYALITE_DEBUG_GLSL
 #define HYALITE_DEBUG_GLSL
 #extension GL_EXT_buffer_reference_uvec2 : require
@@ -9,7 +9,7 @@
 #include "shared/scene_records.h"
 #include "lib/thread.glsl"
 
-// One texel: the buffer's address in four parts of 16 bits, each a whole number that a float holds; 0: nobody listens.
+// One texel: the buffer's address in four parts of 16 bits, each exact in a float; 0: no listener.
 layout(set = 0, binding = TABLE_DEBUG) uniform samplerBuffer debugTable;
 
 uvec2 debugAddress() {
@@ -17,7 +17,7 @@ uvec2 debugAddress() {
     return uvec2(parts.x | parts.y << 16u, parts.z | parts.w << 16u);
 }
 
-// Whether this pixel is the one last clicked.
+// Is this the pixel last clicked?
 bool debugPixel(uint pixel) {
     uvec2 address = debugAddress();
     return (address.x | address.y) != 0u && UintArray(address).at[kDebugPixel] == pixel;
@@ -30,7 +30,7 @@ void debugRecord(uint line, uint kind, uvec4 bits) {
     }
     UintArray words = UintArray(address);
     uint record = atomicAdd(words.at[kDebugCount], 1u);
-    if (record >= words.at[kDebugRoom]) { // counted all the same
+    if (record >= words.at[kDebugRoom]) { // counted, though not stored
         return;
     }
     uint first = kDebugHeader + record * kDebugWords;

@@ -1,5 +1,5 @@
-// Small maths that must give the same bits on every machine: built on + - * / sqrt alone, which Vulkan drivers for
-// CPUs round correctly, never on the driver's own sin, cos or acos.
+// Small maths with the same bits on every machine: built only on + - * / sqrt, which Vulkan drivers for CPUs round
+// correctly, never on the driver's own sin, cos or acos.
 #ifndef HYALITE_MATH_GLSL
 #define HYALITE_MATH_GLSL
 #include "shared/language.h"
@@ -8,10 +8,10 @@ const float kPi = 3.14159265358979;
 const float kInvPi = 0.318309886183791;
 const float kInfinity = 3.0e38; // longer than any ray; finite, so that products with zero stay zero
 const float kTiny = 1.0e-30;    // greater than zero, less than any length
-const float kEndless = 1.0e28;  // what is farther away than this is the far end of a shape that has none
+const float kEndless = 1.0e28;  // distances beyond this mark the open end of an unbounded shape
 
-// max and min, but for where a number is none: then the second operand. What lavapipe does to make sure of a number in
-// max and min takes it eight instructions, and it halves its longest vectors for them; each of these is one.
+// max and min, except that they return the second operand if either is NaN. lavapipe takes eight instructions for a
+// NaN-safe max or min, and splits its longest vectors for them; each of these is one instruction.
 float greater(float a, float b) {
     return a > b ? a : b;
 }
@@ -40,8 +40,8 @@ vec4 lesser(vec4 a, vec4 b) {
     return mix(b, a, lessThan(a, b));
 }
 
-// The integer that x is, for |x| <= 2^22: it stands in the last bits of 3 * 2^22 + x. int(x) runs lane by lane on
-// lavapipe, and makes sure of what is too large for an integer or no number.
+// Converts an integral x to int, for |x| <= 2^22: it is the low bits of 3 * 2^22 + x. On lavapipe int(x) runs lane by
+// lane, and also handles NaN and values out of range.
 int integerOf(float x) {
     return floatBitsToInt(x + 12582912.0) - 0x4b400000;
 }
@@ -72,8 +72,8 @@ vec2 sinCosTurns(float turns) {
     return (q & 2u) != 0u ? -sc : sc;
 }
 
-// e^x for x <= 0; 0 from x = -87 down. With x = k ln 2 + r and |r| <= ln 2 / 2, 2^k is exact, and the Taylor series of
-// e^r to r^7 is right to 6e-9. ln 2 is taken off in two parts, the first of which times k is exact.
+// e^x for x <= 0; 0 for x <= -87. With x = k ln 2 + r and |r| <= ln 2 / 2, 2^k is exact, and the Taylor series of e^r
+// to r^7 has an error of 6e-9. ln 2 is subtracted in two parts; the first times k is exact.
 float exponential(float x) {
     if (x <= -87.0) {
         return 0.0;
@@ -84,8 +84,8 @@ float exponential(float x) {
     return (1.0 + (r + r * r * (0.5 + r * tail))) * uintBitsToFloat(uint(integerOf(k) + 127) << 23u);
 }
 
-// The angle from the x axis to (x, y) as a share of a full turn, in [-1/2, 1/2]; error below 1e-7. The arctangent of
-// more than tan(pi/8) is pi/4 and that of (t - 1) / (t + 1), so that the Taylor series is short.
+// The angle from the x axis to (x, y) as a fraction of a full turn, in [-1/2, 1/2]; error below 1e-7. For t >
+// tan(pi/8), atan t = pi/4 + atan((t - 1) / (t + 1)), which keeps the Taylor series short.
 float angleInTurns(float y, float x) {
     float across = min(abs(x), abs(y));
     float along = max(max(abs(x), abs(y)), 1.0e-30);
@@ -107,17 +107,17 @@ float turnsOf(float y, float x) {
     return turns < 0.0 ? 1.0 + turns : turns;
 }
 
-// Where a component is no number it may be taken or left out.
+// A NaN component may be taken or ignored.
 float maxComponent(vec3 v) {
     return greater(v.x, greater(v.y, v.z));
 }
 
-// A component below 1e-18 is as good as zero; kept away from it, its inverse times anything is finite.
+// Moves components away from zero: below 1e-18 they count as zero, but their inverse must stay finite when multiplied.
 vec3 awayFromZero(vec3 v) {
     return mix(v, vec3(1.0e-18), lessThan(abs(v), vec3(1.0e-18)));
 }
 
-// A vector given in the orthonormal basis whose third axis is the unit vector n [Duff17].
+// Converts from the orthonormal basis whose third axis is the unit vector n [Duff17].
 vec3 fromLocal(vec3 local, vec3 n) {
     float s = n.z < 0.0 ? -1.0 : 1.0;
     float a = -1.0 / (s + n.z);
@@ -127,7 +127,7 @@ vec3 fromLocal(vec3 local, vec3 n) {
     return local.x * tangent + local.y * bitangent + local.z * n;
 }
 
-// The other way: the coordinates of v in that basis.
+// The inverse: the coordinates of v in that basis.
 vec3 intoFrame(vec3 v, vec3 n) {
     float s = n.z < 0.0 ? -1.0 : 1.0;
     float a = -1.0 / (s + n.z);
@@ -137,7 +137,7 @@ vec3 intoFrame(vec3 v, vec3 n) {
     return vec3(dot(v, tangent), dot(v, bitangent), dot(v, n));
 }
 
-// Unit vectors as points of the unfolded octahedron [Cigolle14], `bits` a coordinate.
+// Packs a unit vector as a point of the unfolded octahedron [Cigolle14], `bits` per coordinate.
 uint packUnitVector(vec3 v, uint bits) {
     vec2 p = v.xy / (abs(v.x) + abs(v.y) + abs(v.z));
     if (v.z < 0.0) {
@@ -148,7 +148,7 @@ uint packUnitVector(vec3 v, uint bits) {
     return q.x | (q.y << bits);
 }
 
-// A vector of the direction that was packed; its length, between 1/sqrt(3) and 1, says nothing.
+// A vector in the packed direction; its length, between 1/sqrt(3) and 1, has no meaning.
 vec3 unpackDirection(uint packed, uint bits) {
     uint mask = (1u << bits) - 1u;
     vec2 p = vec2(packed & mask, (packed >> bits) & mask) * (2.0 / float(mask)) - 1.0;

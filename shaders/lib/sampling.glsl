@@ -13,7 +13,7 @@ vec2 sampleUnit(Sampler s, uint dimension) {
     return toUnit(sampleBits(s, dimension));
 }
 
-// Uniform on the unit disc; keeps neighbours in the square neighbours on the disc [Shirley97].
+// Uniform on the unit disc; neighbours in the square stay neighbours on the disc [Shirley97].
 vec2 concentricDisc(vec2 u) {
     vec2 p = 2.0 * u - 1.0;
     if (p.x == 0.0 && p.y == 0.0) {
@@ -27,7 +27,7 @@ vec2 concentricDisc(vec2 u) {
     return p.y * sc;
 }
 
-// Direction about the unit normal n with density cos / pi.
+// Direction around the unit normal n with density cos / pi.
 vec3 cosineHemisphere(vec2 u, vec3 n) {
     vec2 disc = concentricDisc(u);
     float z = sqrt(max(0.0, 1.0 - dot(disc, disc)));
@@ -42,7 +42,7 @@ vec3 uniformSphere(vec2 u) {
     return vec3(radius * sc.y, radius * sc.x, z);
 }
 
-// Weight of a sample of density `pdf` where another technique would have found the same with density `other`: the power
+// Weight of a sample of density `pdf` if another technique finds the same sample with density `other`: the power
 // heuristic [Veach95].
 float powerHeuristic(float pdf, float other) {
     float ratio = other / pdf;

@@ -1,4 +1,5 @@
-// The hot tables, read as vec4 texels (on lavapipe a texel load is several times faster than four words of a buffer).
+// The hot tables, read as vec4 texels (on lavapipe a texel load is several times faster than loading four words of a
+// buffer).
 #ifndef HYALITE_TABLES_GLSL
 #define HYALITE_TABLES_GLSL
 #include "lib/debug.glsl"

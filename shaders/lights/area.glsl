@@ -1,5 +1,4 @@
-// Light from a surface, whose front has the same radiance at each point in every direction: a quad, a disk, a sphere or a
-// mesh.
+// Area light: each point of the front emits the same radiance in every direction. A quad, disk, sphere or mesh.
 #ifndef HYALITE_AREA_GLSL
 #define HYALITE_AREA_GLSL
 #include "shared/scene_records.h"
@@ -12,7 +11,7 @@
 struct LightPoint {
     vec3 position;
     vec3 normal; // unit
-    float error; // what the rounding of its coordinates may be [m]: rays start so far off the emitting side
+    float error; // bound on the rounding of its coordinates [m]: rays start this far off the emitting side
 };
 
 LightPoint pointOnSphere(LightRecord light, vec3 normal) {
@@ -23,13 +22,14 @@ LightPoint pointOnSphere(LightRecord light, vec3 normal) {
 LightPoint pointOnMesh(LightRecord light, vec2 u) {
     Choice choice = choose(light.cdfs, 0u, light.columns, u.x);
     LightTriangle triangle = light.triangles.at[choice.index];
-    // The square, shrunk to a corner along one side: its density is uniform if the other side goes as a square root
+    // Maps the square to the triangle by shrinking one side to a corner: uniform if the other coordinate is a square
+    // root
     float across = sqrt(choice.rest);
     vec3 p = triangle.corner + across * ((1.0 - u.y) * triangle.edge0 + u.y * triangle.edge1);
     return LightPoint(p, triangle.normal, light.error);
 }
 
-// Evenly distributed over the light's area.
+// A uniform point on the light.
 LightPoint pointOnArea(LightRecord light, vec2 u) {
     if (isLight(light.type, kLightSphere)) {
         return pointOnSphere(light, uniformSphere(u));
@@ -43,7 +43,7 @@ LightPoint pointOnArea(LightRecord light, vec2 u) {
     return LightPoint(p, light.normal, error);
 }
 
-// Of a sphere only the half that faces the receiver: what is turned away cannot light it.
+// As pointOnArea, but of a sphere only the half that faces the receiver: the other half cannot light it.
 LightPoint pointFacing(LightRecord light, vec3 receiver, vec2 u) {
     if (!isLight(light.type, kLightSphere)) {
         return pointOnArea(light, u);
@@ -52,12 +52,12 @@ LightPoint pointFacing(LightRecord light, vec3 receiver, vec2 u) {
     return pointOnSphere(light, dot(normal, receiver - light.position) < 0.0 ? -normal : normal);
 }
 
-// Area [m^2] that pointFacing chooses from.
+// Area [m^2] that pointFacing samples.
 float areaFacing(LightRecord light) {
     return isLight(light.type, kLightSphere) ? 0.5 * light.area : light.area;
 }
 
-// Does a ray that nothing stops see the front of a quad, a disk or a sphere?
+// Does an unoccluded ray see the front of a quad, disk or sphere?
 bool looksAtArea(LightRecord light, vec3 origin, vec3 direction) {
     vec3 toLight = light.position - origin;
     if (isLight(light.type, kLightSphere)) {
@@ -75,8 +75,8 @@ bool looksAtArea(LightRecord light, vec3 origin, vec3 direction) {
                                     : dot(at, at) <= 1.0;
 }
 
-// Density [1/sr] with which sampleArea chooses the unit `direction` from a receiver that sees the light there, at this
-// distance and with this normal.
+// Density [1/sr] of sampleArea for the unit `direction` from a receiver that sees the light there, at this distance and
+// with this normal.
 float areaPdf(LightRecord light, vec3 direction, float distance, vec3 lightNormal) {
     float cosLight = -dot(direction, lightNormal);
     return cosLight > 0.0 ? distance * distance / (cosLight * areaFacing(light)) : 0.0;
@@ -88,8 +88,8 @@ LightSample sampleArea(LightRecord light, vec3 receiver, vec2 u) {
     float distance2 = dot(toLight, toLight);
     float distance = sqrt(distance2);
     vec3 direction = toLight / distance;
-    // Where the ray meets the light is also as wrong as roundings of the way there are, however small the light's own
-    // coordinates: the ray ends that much before
+    // The ray's hit on the light also has a rounding error that grows with the distance, however small the light's own
+    // coordinates: the ray ends that much earlier
     vec3 toEnd = toLight + (point.error + kPlaneError * distance) * point.normal;
     float shadowDistance = length(toEnd);
     vec3 shadowDirection = toEnd / shadowDistance;
@@ -98,7 +98,7 @@ LightSample sampleArea(LightRecord light, vec3 receiver, vec2 u) {
                        areaPdf(light, direction, distance, point.normal), shadowDirection, shadowDistance);
 }
 
-// Density [1/sr] with which emitFromArea sends `direction` from a point with this normal.
+// Density [1/sr] of emitFromArea for `direction`, from a point with this normal.
 float areaDensity(vec3 normal, vec3 direction) {
     return max(0.0, dot(normal, direction)) * kInvPi;
 }

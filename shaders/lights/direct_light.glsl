@@ -1,4 +1,4 @@
-// Light that comes to a point straight from a lamp: how much, and the shadow ray that tells whether it does.
+// Direct light at a point: the contribution, and the shadow ray that decides whether it arrives.
 #ifndef HYALITE_DIRECT_LIGHT_GLSL
 #define HYALITE_DIRECT_LIGHT_GLSL
 #include "shared/path_records.h"
@@ -9,7 +9,7 @@
 
 struct DirectLight {
     Ray shadow;
-    vec3 contribution; // radiance [W/(m^2 sr)] if nothing stands between; not positive: the light is behind the surface or
+    vec3 contribution; // radiance [W/(m^2 sr)] if unoccluded; not positive: the light is behind the surface or
                        // touches it
 };
 
@@ -17,17 +17,17 @@ bool isWorthAsking(DirectLight light) {
     return maxComponent(light.contribution) > 0.0;
 }
 
-// The numbers that sample the light `index`, or with kNone one that they pick.
+// The sampler for the light `index`; with kNone, for picking a light.
 Sampler lightSampler(uint samplerSeed, uint index, uint pass) {
     return pathSampler(index == kNone ? samplerSeed : deriveSequence(samplerSeed, index), pass);
 }
 
-// The light asked for, or with kNone one by the lights' pmf.
+// The requested light; with kNone, one picked by the lights' pmf.
 uint lightAsked(LightArray lights, uint lightCount, uint index, Sampler s, uint depth) {
     return index == kNone ? pickLight(lights, lightCount, s, cameraLightChoice(depth - 1u)) : index;
 }
 
-// `pmf`: with which probability the light was picked. `bounces`: a ray by the cosine may meet the same place.
+// `pmf`: probability of picking the light. `bounces`: a cosine-distributed ray may hit the same point of it.
 DirectLight directLight(LightRecord light, float pmf, VisiblePoint x, Receiver receiver, bool bounces, Sampler s) {
     LightSample toLight = sampleLight(light, x.position, sampleUnit(s, cameraLightPoint(x.depth - 1u)));
     float cosine = dot(x.normal, toLight.direction);
@@ -39,8 +39,8 @@ DirectLight directLight(LightRecord light, float pmf, VisiblePoint x, Receiver r
     return DirectLight(Ray(x.position, toLight.shadowDistance, toLight.shadowDirection, x.from), contribution);
 }
 
-// At a rough point: rays that leave the lobe find the same lights, and the two are weighed against one another by the
-// densities with which they find them [Veach95].
+// At a rough point: rays sampled from the lobe find the same lights, so multiple importance sampling weights the two by
+// their densities [Veach95].
 DirectLight directLight(LightRecord light, float pmf, RoughPoint x, Lobe lobe, Sampler s) {
     LightSample toLight = sampleLight(light, x.position, sampleUnit(s, cameraLightPoint(x.depth - 1u)));
     BsdfValue value = evaluateLobe(lobe, x.normal, x.geometricNormal, x.wo, toLight.direction, kRadiance);
@@ -50,7 +50,7 @@ DirectLight directLight(LightRecord light, float pmf, RoughPoint x, Lobe lobe, S
     vec3 off = (through ? -x.error : x.error) * x.geometricNormal;
     Ray shadow = Ray(x.position + off, toLight.shadowDistance, toLight.shadowDirection,
                      through ? x.from ^ kRayInside : x.from);
-    if (shadow.tMax < kInfinity) { // to the same place, from where the ray starts
+    if (shadow.tMax < kInfinity) { // to the same point, from the ray's origin
         vec3 way = shadow.tMax * shadow.direction - off;
         shadow.tMax = length(way);
         shadow.direction = way / shadow.tMax;

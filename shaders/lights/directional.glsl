@@ -1,4 +1,4 @@
-// Parallel light: over all of the scene from beyond it, or a beam from a disc on and no wider than it.
+// Parallel light: from beyond the scene onto all of it, or a beam that starts at a disc and is as wide as the disc.
 #ifndef HYALITE_DIRECTIONAL_GLSL
 #define HYALITE_DIRECTIONAL_GLSL
 #include "shared/scene_records.h"

@@ -1,5 +1,5 @@
-// Light from beyond the scene, as an equirectangular image tells it: radiance is constant over each texel. The middle
-// of the image is what is seen along -z, its upper edge is +y.
+// Light from beyond the scene, given as an equirectangular image: radiance is constant over each texel. The centre of
+// the image is the view along -z, its upper edge is +y.
 #ifndef HYALITE_ENVIRONMENT_GLSL
 #define HYALITE_ENVIRONMENT_GLSL
 #include "shared/scene_records.h"
@@ -18,11 +18,11 @@ vec3 environmentRadiance(LightRecord light, vec3 direction) {
 
 struct EnvironmentChoice {
     vec3 direction; // unit, towards the light
-    vec3 radiance;  // of the texel that was chosen: rounding may put the direction just beyond its edge
+    vec3 radiance;  // of the chosen texel: rounding may put the direction just beyond the texel's edge
 };
 
-// A texel with a probability in proportion to the mean of its channels times its solid angle, then any direction of it:
-// pdfW is in proportion to that mean.
+// Samples a texel with probability proportional to the mean of its channels times its solid angle, then a uniform
+// direction within it: pdfW is proportional to that mean.
 EnvironmentChoice chooseEnvironment(LightRecord light, vec2 u) {
     Choice row = choose(light.cdfs, 0u, light.rows, u.y);
     Choice column = choose(light.cdfs, light.rows + row.index * light.columns, light.columns, u.x);
@@ -36,7 +36,7 @@ EnvironmentChoice chooseEnvironment(LightRecord light, vec2 u) {
                              light.texels.at[row.index * light.columns + column.index]);
 }
 
-// Density [1/sr] with which chooseEnvironment finds a direction of this radiance.
+// Density [1/sr] of chooseEnvironment for a direction with this radiance.
 float environmentPdf(LightRecord light, vec3 radiance) {
     return dot(radiance, vec3(1.0)) / (4.0 * kPi * dot(light.emission, vec3(1.0)));
 }
@@ -47,7 +47,7 @@ LightSample sampleEnvironment(LightRecord light, vec2 u) {
     return LightSample(chosen.direction, pdfW > 0.0 ? chosen.radiance / pdfW : vec3(0.0), pdfW, chosen.direction, kInfinity);
 }
 
-// Flux [W] of the light if all that it emits were like its rays of this radiance.
+// Flux [W] of the light if every ray that it emits had this radiance.
 vec3 environmentRayPower(LightRecord light, vec3 radiance) {
     float pdfW = environmentPdf(light, radiance);
     return pdfW > 0.0 ? radiance * (light.area / pdfW) : vec3(0.0);

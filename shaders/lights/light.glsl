@@ -1,5 +1,6 @@
-// The list of lights: choosing one, what it sends to a surface, and what it sends into the scene [Jensen01, ch. 5]. Each
-// type of light has a file; this one alone asks for the type. A kernel holds only the types that the scene has.
+// The list of lights: picking one, sampling the light it sends to a surface, and emitting rays into the scene
+// [Jensen01, ch. 5]. Each type of light has its own file; only this file dispatches on the type. A kernel compiles only
+// the types in the scene.
 #ifndef HYALITE_LIGHT_GLSL
 #define HYALITE_LIGHT_GLSL
 #include "shared/scene_records.h"
@@ -25,7 +26,7 @@ uint pickLight(LightArray lights, uint lightCount, float x) {
     return first;
 }
 
-// The same, with a number of the sampler's if there is a choice.
+// The same, with a number from the sampler if there is more than one light.
 uint pickLight(LightArray lights, uint lightCount, Sampler s, uint dimension) {
     return lightCount > 1u ? pickLight(lights, lightCount, sampleUnit(s, dimension).x) : 0u;
 }
@@ -42,9 +43,9 @@ bool isParallel(uint type) {
 
 // ---- From a receiver to the light
 
-// Density [1/sr] with which sampleLight chooses the unit `direction` from a receiver that sees the light there, at this
-// distance and with this normal (neither matters where it comes from beyond the scene); 0 where it chooses none, at
-// lights that no ray can hit. The light's pmf is not in it.
+// Density [1/sr] of sampleLight for the unit `direction` from a receiver that sees the light there, at this distance
+// and with this normal (both ignored for light from beyond the scene); 0 for lights that no ray can hit. The light's
+// pmf is not included.
 float lightPdf(LightRecord light, vec3 receiver, vec3 direction, float distance, vec3 lightNormal) {
     if (isLight(light.type, kLightEnvironment)) {
         return environmentPdf(light, environmentRadiance(light, direction));
@@ -71,7 +72,7 @@ LightSample sampleLight(LightRecord light, vec3 receiver, vec2 u) {
     return samplePoint(light, receiver);
 }
 
-// Does a ray that nothing stops see the front of a quad, a disk or a sphere?
+// Does an unoccluded ray see the front of a quad, disk or sphere?
 bool looksAt(LightRecord light, vec3 origin, vec3 direction) {
     return isSurface(light.type) && looksAtArea(light, origin, direction);
 }
@@ -87,8 +88,8 @@ bool looksAtAny(LightArray lights, uint count, vec3 origin, vec3 direction) {
 
 // ---- From the light into the scene
 
-// Density [1/sr] with which emitFrom would send `direction` from a point with this normal; 0 where it never would, and
-// for parallel light.
+// Density [1/sr] of emitFrom for `direction`, from a point with this normal; 0 for directions it never samples, and for
+// parallel light.
 float emissionDensity(LightRecord light, vec3 normal, vec3 direction) {
     if (isSurface(light.type)) {
         return areaDensity(normal, direction);
@@ -103,18 +104,18 @@ float emissionDensity(LightRecord light, vec3 normal, vec3 direction) {
 }
 
 // Density [1/m^2], across `direction`, with which emitFrom starts its rays of this direction on the line through
-// `point`; 0 for lights that choose the origin first. Of parallel light the direction must be its own.
+// `point`; 0 for lights that sample the origin first. For parallel light the direction must be the light's.
 float originDensity(LightRecord light, vec3 point, vec3 direction) {
     bool hasDisc = isParallel(light.type) || isLight(light.type, kLightEnvironment);
     return hasDisc && passesDisc(light, point, direction) ? 1.0 / light.area : 0.0;
 }
 
-// 1 - cosine of the cone that holds all directions of the light from one of its points.
+// 1 - cosine of the cone that contains all directions in which one point of the light emits.
 float emissionExtent(LightRecord light) {
     return isLight(light.type, kLightSpot) ? light.cone.y : (isSurface(light.type) ? 1.0 : 2.0);
 }
 
-// A ray of the light's photons, whose density is in proportion to the flux.
+// A photon ray of the light, with density proportional to the flux.
 LightRay emitFrom(LightRecord light, vec2 uOrigin, vec2 uDirection) {
     if (isLight(light.type, kLightEnvironment)) {
         return emitFromEnvironment(light, uOrigin, uDirection);

@@ -1,5 +1,5 @@
-// What a visible point makes of the light that comes to it from any direction: all that does not depend on the direction is
-// evaluated once for a point.
+// A visible point as a receiver of light: everything that does not depend on the direction of incidence, evaluated once
+// per point.
 #ifndef HYALITE_RECEIVER_GLSL
 #define HYALITE_RECEIVER_GLSL
 #include "shared/path_records.h"
@@ -8,11 +8,11 @@
 
 struct Receiver {
     MaterialRecord material; // with its textures multiplied in
-    vec3 f;                  // path throughput times the BSDF [1/sr], but for the factor of the direction of incidence
-    bool isLayered;          // that factor is not 1 for all directions
+    vec3 f;                  // path throughput times the BSDF [1/sr], without the factor that depends on the direction of incidence
+    bool isLayered;          // that factor is not always 1
 };
 
-// `material`: that of the point, with its textures multiplied in.
+// `material`: of the point, with its textures multiplied in.
 Receiver receiverOf(VisiblePoint x, MaterialRecord material) {
     float cosOut = clamp(dot(x.wo, x.normal), 0.0, 1.0);
     vec3 f = x.beta * diffuseShare(material) * (overDiffuse(material, cosOut) * kInvPi / x.probability);
@@ -30,7 +30,7 @@ Receiver receiverAt(VisiblePoint x, MaterialArray materials) {
     return receiverOf(x, texturedMaterial(materials.at[x.material], x.onSurface, x.uv));
 }
 
-// The factor of a direction of incidence, `cosine` from the normal.
+// The factor for a direction of incidence; `cosine`: of its angle from the normal.
 float incidentFactor(Receiver receiver, float cosine) {
     return overDiffuse(receiver.material, cosine);
 }

@@ -1,16 +1,16 @@
-// A spot's intensity about its axis: full in the inner cone, nothing outside the outer one, and between them
-// 3 t^2 - 2 t^3, where t goes evenly in the cosine from 0 at the outer cone to 1 at the inner. The mean of that between
-// the two is 1/2, so that the flux is pi (inner + outer) times the full intensity, with inner and outer the `cone`.
+// A spot's intensity around its axis: full in the inner cone, zero outside the outer one, and 3 t^2 - 2 t^3 in between,
+// where t is linear in the cosine from 0 at the outer cone to 1 at the inner. The mean of that between the cones is
+// 1/2, so the flux is pi (inner + outer) times the full intensity, with inner and outer the `cone`.
 #ifndef HYALITE_SPOT_GLSL
 #define HYALITE_SPOT_GLSL
 #include "shared/scene_records.h"
 #include "lib/math.glsl"
 #include "lights/light_sample.glsl"
 
-// Share of the full intensity that goes in `direction`.
+// Share of the full intensity in `direction`.
 float spotFalloff(LightRecord light, vec3 direction) {
     vec3 off = direction - light.normal;
-    float x = 0.5 * dot(off, off); // 1 - cos, which keeps its digits in a narrow cone
+    float x = 0.5 * dot(off, off); // 1 - cos, in a form that stays accurate in narrow cones
     if (x <= light.cone.x) {
         return 1.0;
     }
@@ -21,8 +21,9 @@ float spotFalloff(LightRecord light, vec3 direction) {
     return t * t * (3.0 - 2.0 * t);
 }
 
-// The t at which the falloff has its share u of the flux between the cones: 2 t^3 - t^4 = u. Newton's method comes down
-// on the root, for the left side is convex and u^(1/4) is above it; the smallest u takes the most steps, nine.
+// The t below which the falloff emits the share u of the flux between the cones: 2 t^3 - t^4 = u. Newton's method
+// converges from above, because the left side is convex and u^(1/4) is above the root; the smallest u takes the most
+// steps, nine.
 float falloffQuantile(float u) {
     float t = sqrt(sqrt(u));
     for (int i = 0; i < 10 && t > 0.0; ++i) {
@@ -31,7 +32,7 @@ float falloffQuantile(float u) {
     return clamp(t, 0.0, 1.0);
 }
 
-// Direction with a density in proportion to the falloff.
+// Samples a direction with density proportional to the falloff.
 vec3 spotDirection(LightRecord light, vec2 u) {
     float inner = light.cone.x;
     float between = 0.5 * (light.cone.y - inner);

@@ -1,5 +1,5 @@
-// A filter of photons that a scene brings along as GLSL (docs/experiments.md). For a scene that has one, the host puts in
-// place of this file its source, and a customFilter() that calls it.
+// A photon filter that a scene supplies as GLSL (docs/experiments.md). For such a scene the host replaces this file
+// with its source and a customFilter() that calls it.
 #ifndef HYALITE_CUSTOM_FILTER_GLSL
 #define HYALITE_CUSTOM_FILTER_GLSL
 #include "lib/math.glsl"

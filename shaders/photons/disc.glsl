@@ -1,5 +1,5 @@
-// How much of the disc about a point lies on the surface that the point is on. Photons land on no more than that: over
-// the whole disc their density would fall towards every edge.
+// How much of the disc around a point lies on the point's surface. Photons land only there: dividing by the whole
+// disc's area would darken every edge.
 #ifndef HYALITE_DISC_GLSL
 #define HYALITE_DISC_GLSL
 #include "shared/path_records.h"
@@ -7,11 +7,11 @@
 #include "lib/specialization.glsl"
 #include "lib/tables.glsl"
 
-// On strips narrower than a thousandth of the disc's area the density is not raised any more.
+// Lower bound on that share: on strips narrower than this, a thousandth of the disc, the density is not raised further.
 const float kLeastShareOfDisc = 0.0009765625;
 
-// Twice the signed area that the disc about the origin shares with the triangle (origin, a, b), which lies in the plane
-// of the unit normal n; and of the sector from a to b.
+// Twice the signed area that the disc around the origin shares with the triangle (origin, a, b), in the plane with unit
+// normal n; and of the sector from a to b.
 float twiceSector(vec3 n, vec3 a, vec3 b, float radius) {
     return radius * radius * 2.0 * kPi * angleInTurns(dot(n, cross(a, b)), dot(a, b));
 }
@@ -24,7 +24,7 @@ float twiceTriangleInDisc(vec3 n, vec3 a, vec3 b, float radius) {
     float root = sqrt(max(0.0, root2));
     float first = clamp(along - root, 0.0, 1.0);
     float last = clamp(along + root, 0.0, 1.0);
-    if (first >= last) { // the side passes the disc by
+    if (first >= last) { // the side misses the disc
         return twiceSector(n, a, b, radius);
     }
     vec3 p = a + first * way;
@@ -35,8 +35,8 @@ float twiceTriangleInDisc(vec3 n, vec3 a, vec3 b, float radius) {
     return area;
 }
 
-// Area [m^2] of the disc about a point that left `from` (see Ray) on it, in the plane of the surface and on it: exact on
-// parallelograms; elsewhere that of the whole disc.
+// Area [m^2] of the part of the disc that lies on the surface around a point; the point's rays left `from` (see Ray).
+// Exact on parallelograms; elsewhere the area of the whole disc.
 float discArea(vec3 position, uint from, float radius) {
     float whole = kPi * radius * radius;
     uint object = (from & ~kRayInside) - 1u;

@@ -14,17 +14,17 @@ uint bucketOf(vec3 position, GridRecord grid) {
     return cellBucket(cellOf(position, grid), grid.bucketMask);
 }
 
-// A walk through the cells that a part of a ball reaches into, row by row along x. The cells of a row stand in successive
-// buckets: each row is one range of the sorted photons, or two where it wraps around the end of the table.
+// A walk through the cells that a part of a ball overlaps, row by row along x. The cells of a row are successive
+// buckets: each row is one range of the sorted photons, or two if it wraps around the end of the table.
 struct CellWalk {
-    ivec2 row;      // y and z of the cells where the walk is
-    ivec2 next;     // and of those that come next
-    ivec2 low;      // and of the first row
-    ivec2 high;     // and of the last
-    uint wrapped;   // so many buckets at the beginning of the table belong to the present row too
+    ivec2 row;      // y and z of the cells of the present row
+    ivec2 next;     // of the next row
+    ivec2 low;      // of the first row
+    ivec2 high;     // of the last row
+    uint wrapped;   // number of buckets at the beginning of the table that also belong to the present row
     vec3 position;  // the ball's centre [m]
-    float reach2;   // its squared radius, and a little more: rounding must not hide a photon [m^2]
-    float along;    // how far the part reaches along x, likewise [m]
+    float reach2;   // its squared radius, padded so that rounding cannot lose a photon [m^2]
+    float along;    // extent of the part along x, padded likewise [m]
 };
 
 // The part lies within `extent` of the ball's centre along each axis [m].
@@ -36,7 +36,7 @@ CellWalk walkCells(vec3 position, float radius, vec3 extent, GridRecord grid) {
     return CellWalk(low, low, low, high, 0u, position, more * more * radius * radius, reach.x);
 }
 
-// The next range of photons, from `first` to before `end`, which may be empty; false: the walk is over.
+// The next range of photons, from `first` up to but not including `end`; it may be empty. false: the walk is over.
 bool nextRange(inout CellWalk walk, GridRecord grid, UintArray cellStarts, out uint first, out uint end) {
     first = 0u;
     end = 0u;
@@ -51,7 +51,7 @@ bool nextRange(inout CellWalk walk, GridRecord grid, UintArray cellStarts, out u
     walk.row = walk.next;
     bool isLastOfLayer = walk.row.x == walk.high.x;
     walk.next = isLastOfLayer ? ivec2(walk.low.x, walk.row.y + 1) : ivec2(walk.row.x + 1, walk.row.y);
-    // How far the row is from the centre, and how far the ball reaches along it
+    // Distance of the row from the centre, and extent of the ball along the row
     vec2 edge = vec2(walk.row) / grid.inverseCellSize;
     vec2 away = greater(greater(edge - walk.position.yz, walk.position.yz - edge - 1.0 / grid.inverseCellSize), vec2(0.0));
     float reach2 = walk.reach2 - dot(away, away);
@@ -72,8 +72,8 @@ bool nextRange(inout CellWalk walk, GridRecord grid, UintArray cellStarts, out u
     return true;
 }
 
-// Is the photon here of the row where the walk is? Cells of several rows may share a bucket, and their photons are met
-// once for each.
+// Is the photon at this position in the present row? Cells of several rows may share a bucket; their photons are met
+// once for each row.
 bool isOfRow(CellWalk walk, vec3 position, GridRecord grid) {
     return cellOf(position, grid).yz == walk.row;
 }

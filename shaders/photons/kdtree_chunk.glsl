@@ -1,11 +1,11 @@
-// The part of a node's list that one thread works on while a level of the kd-tree is parted.
+// The part of a node's list that one thread processes while a level of the kd-tree is partitioned.
 #ifndef HYALITE_KDTREE_CHUNK_GLSL
 #define HYALITE_KDTREE_CHUNK_GLSL
 #include "photons/kdtree.glsl"
 
 struct NodeChunk {
-    uint list;      // along which axis this list is sorted
-    uint number;    // of the chunk in the node's list
+    uint list;      // the axis along which this list is sorted
+    uint number;    // index of the chunk in the node's list
     uint first;     // where the node's list begins
     uint nodeCount; // how long it is
     uint begin;     // where the chunk begins …

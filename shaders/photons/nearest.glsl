@@ -1,5 +1,5 @@
-// The k photons nearest to a point, in a kd-tree or a grid of the photon table. Squared
-// distances are computed alike everywhere and equal ones ordered by slot: what is found does not depend on the structure.
+// The k photons nearest to a point, in a kd-tree or a grid of the photon table. Squared distances are computed
+// identically everywhere and ties ordered by slot, so the result does not depend on the structure.
 #ifndef HYALITE_NEAREST_GLSL
 #define HYALITE_NEAREST_GLSL
 #include "shared/limits.h"
@@ -7,32 +7,32 @@
 #include "photons/grid.glsl"
 #include "photons/photon.glsl"
 
-// Photons that a query may find: the private arrays are no longer than need be.
+// Most photons that a query may find: the private arrays are no longer than necessary.
 layout(constant_id = 5) const uint kNearestCapacity = 64u;
 layout(constant_id = 6) const uint kPhotonStructure = kPhotonTree;
 
 struct NearestQuery {
     vec3 position;
-    vec3 normal;   // photons count that landed on this side
+    vec3 normal;   // only photons that landed on this side count
     float radius;  // [m]
-    uint nearest;  // how many photons, 1 … kNearestCapacity
+    uint nearest;  // number of photons, 1 … kNearestCapacity
     uint kinds;    // bit kPhoton… is set for every kind that counts
-    uint depth;    // of the visible point, and …
-    uint maxDepth; // … the segments that a photon's path and this may have together
+    uint depth;    // of the visible point
+    uint maxDepth; // most segments of the photon's path and the camera's together
 };
 
-// What has been found. Once there are as many as were asked for it is a heap, the farthest on top.
+// The photons found so far. Once there are as many as requested, a heap with the farthest on top.
 float heapDistance2[kNearestCapacity];
 uint heapPhoton[kNearestCapacity]; // number in the map
 uint heapCount;
-float heapReach2; // what is farther is of no interest
+float heapReach2; // squared distance beyond which photons are ignored
 
 bool isFarther(PhotonMapRecord map, float distance2, uint photon, float otherDistance2, uint other) {
     return distance2 > otherDistance2 ||
            (distance2 == otherDistance2 && map.order.at[photon] > map.order.at[other]);
 }
 
-// Lets a photon sink from `node` to its place in the heap of `count`.
+// Sifts a photon down from `node` to its place in the heap of `count`.
 void siftDown(PhotonMapRecord map, uint node, uint count, float distance2, uint photon) {
     while (2u * node + 1u < count) {
         uint child = 2u * node + 1u;
@@ -57,7 +57,7 @@ void makeHeap(PhotonMapRecord map) {
     }
 }
 
-// Brings what was found into the order of distance.
+// Sorts the photons found by distance.
 void sortNearest(PhotonMapRecord map, NearestQuery query) {
     if (heapCount < query.nearest) {
         makeHeap(map);
@@ -76,7 +76,7 @@ bool counts(NearestQuery query, uint direction, uint surface) {
            photonLength(surface) + query.depth <= query.maxDepth;
 }
 
-// Takes the photon if it counts and is among the nearest so far; `place`: its first texel.
+// Inserts the photon if it counts and is among the nearest so far; `place`: its first texel.
 void offer(PhotonMapRecord map, NearestQuery query, uint photon, vec4 place) {
     vec3 way = place.xyz - query.position;
     float distance2 = dot(way, way);
@@ -101,13 +101,13 @@ void offer(PhotonMapRecord map, NearestQuery query, uint photon, vec4 place) {
     }
 }
 
-// The tree's far children that are yet to be seen, and the squared distances of the planes that they lie behind.
+// Far children of the tree still to be visited, and the squared distances of the planes that they lie behind.
 uint stackNode[kKdStack];
 float stackDistance2[kKdStack];
 
-// From a node to the next that has to be seen: the child on the side of the query, or the last far child left behind
-// that is still in reach; `count` when there is none. Differences and squares round monotonically: no photon behind a
-// plane is nearer than the plane, rounded or not.
+// From a node to the next one to visit: the child on the side of the query, or the last far child left behind that is
+// still within reach; `count` if there is none. Differences and squares round monotonically: a photon behind a plane is
+// never nearer than the plane, even after rounding.
 uint nextNode(uint node, vec3 position, vec4 place, uint count, float reach2, inout uint top) {
     uint axis = floatBitsToUint(place.w) >> kSplitAxisShift;
     vec3 way = place.xyz - position;

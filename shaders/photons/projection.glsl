@@ -1,27 +1,27 @@
-// The projection map: caustic photons are sent only where something specular is, towards spheres around all of it
-// [Jensen01, ch. 5]. From a point of a light each sphere is a cone of directions; across parallel light, a disc of
-// origins. One is chosen in proportion to its size and a ray drawn evenly from it; where they overlap, the density is the
-// sum of theirs, so that the weight of a photon says exactly how much likelier it became than without aiming.
+// The projection map: caustic photons are aimed only at specular objects, through spheres that bound them [Jensen01,
+// ch. 5]. Seen from a point of a light each sphere is a cone of directions; across parallel light it is a disc of
+// origins. One is picked in proportion to its size and a ray sampled uniformly within it; where they overlap the
+// density is the sum of theirs, so a photon's weight exactly cancels the gain in probability over unaimed emission.
 #ifndef HYALITE_PROJECTION_GLSL
 #define HYALITE_PROJECTION_GLSL
 #include "lights/light.glsl"
 
-// A sphere fills the view from a point inside it, or so close to it [radii].
+// From a point inside a sphere, or this close to it, the sphere fills the view [radii].
 const float kCloseToTarget = 1.0001;
 
-// What a sphere is from a point or along a direction.
+// A sphere as a target from a point (a cone) or along a direction (a disc).
 struct Aim {
     vec3 axis;     // unit, from the point to the centre; or the centre, across parallel light [m]
     float size;    // solid angle [sr], or area of the disc [m^2]
     float extent;  // 1 - cosine of the cone's half-angle; or squared radius of the disc [m^2]
-    bool anywhere; // it is as wide as all that the light shines into: the light's own choice does for it
+    bool anywhere; // it covers everything the light emits into: the light's own sample is used
 };
 
 Aim aimFromPoint(TargetRecord target, LightRecord light, vec3 point) {
     vec3 way = target.center - point;
     float distance2 = dot(way, way);
     float sine2 = target.radius * target.radius / distance2;
-    float extent = sine2 / (1.0 + sqrt(max(0.0, 1.0 - sine2))); // 1 - cosine, with all its digits in narrow cones
+    float extent = sine2 / (1.0 + sqrt(max(0.0, 1.0 - sine2))); // 1 - cosine, in a form that stays accurate in narrow cones
     float own = emissionExtent(light);
     if (!(sine2 * kCloseToTarget * kCloseToTarget < 1.0 && extent < own)) {
         return Aim(vec3(0.0), 2.0 * kPi * own, own, true);
@@ -44,7 +44,7 @@ Aim aimAt(TargetRecord target, LightRecord light, bool parallel, vec3 point) {
     return aimFromPoint(target, light, point);
 }
 
-// The part of the sum of sizes that a choice in [0, 1) falls into.
+// Picks the target in whose share of the summed sizes a choice in [0, 1) falls.
 uint chooseTarget(TargetArray targets, uint count, LightRecord light, bool parallel, vec3 point, float total,
                   float choice) {
     float sum = 0.0;
@@ -67,14 +67,14 @@ bool isWithin(Aim aim, bool parallel, LightRay ray) {
     return dot(chord, chord) <= 2.0 * aim.extent;
 }
 
-// One ray towards the targets, and the share of the light's power that a photon along it carries.
+// A ray towards the targets, and the share of the light's power that a photon along it carries.
 struct AimedRay {
     vec3 origin;
     vec3 direction;
     vec3 power; // flux [W] of the light if all its photons were like this one
 };
 
-// `ray`: what the light itself chose with the same numbers.
+// `ray`: the light's own sample from the same numbers.
 AimedRay aimRay(LightRecord light, TargetArray targets, uint count, LightRay ray, float choice, vec2 uOrigin,
                 vec2 uDirection) {
     bool parallel = ray.pdfOrigin > 0.0;
@@ -86,7 +86,7 @@ AimedRay aimRay(LightRecord light, TargetArray targets, uint count, LightRay ray
     Aim aim = aimAt(targets.at[chosen], light, parallel, ray.origin);
     if (!aim.anywhere && parallel) {
         vec3 q = aim.axis + fromLocal(vec3(sqrt(aim.extent) * concentricDisc(uOrigin), 0.0), ray.direction);
-        ray.origin = q - dot(q - ray.origin, ray.direction) * ray.direction; // back to the plane that light starts from
+        ray.origin = q - dot(q - ray.origin, ray.direction) * ray.direction; // back to the plane where the light's rays start
     } else if (!aim.anywhere) {
         float below = uDirection.x * aim.extent; // 1 - z
         vec2 sc = sinCosTurns(uDirection.y);
@@ -102,7 +102,7 @@ AimedRay aimRay(LightRecord light, TargetArray targets, uint count, LightRay ray
             density += other.size * own;
             continue;
         }
-        density += i == chosen || isWithin(other, parallel, ray) ? 1.0 : 0.0; // the chosen one, whatever rounding says
+        density += i == chosen || isWithin(other, parallel, ray) ? 1.0 : 0.0; // the chosen one always, despite rounding
     }
     return AimedRay(startOf(ray), ray.direction, density > 0.0 ? ray.power * (own * total / density) : vec3(0.0));
 }

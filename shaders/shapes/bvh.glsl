@@ -1,4 +1,5 @@
-// Rays against the nodes of the 4-wide hierarchy with quantised boxes [Ylitie17]; mesh.glsl and scene.glsl walk it.
+// Intersects rays with the nodes of the 4-wide hierarchy with quantised boxes [Ylitie17]; mesh.glsl and scene.glsl
+// traverse it.
 #ifndef HYALITE_BVH_GLSL
 #define HYALITE_BVH_GLSL
 #include "shared/limits.h"
@@ -6,7 +7,7 @@
 #include "shapes/stack.glsl"
 #include "lib/tables.glsl"
 
-// A ray as the box test wants it.
+// A ray prepared for the box test.
 struct BoxRay {
     vec3 origin;
     vec3 inverse; // 1 / direction, finite
@@ -35,7 +36,7 @@ void orderPair(inout float nearKey, inout float farKey, inout uint nearChild, in
     }
 }
 
-// The words of the children of such kinds.
+// The stack words of children of these kinds.
 uvec4 childWords(uvec4 kinds, uint firstNode, uint firstElement) {
     bvec4 inner = equal(kinds, uvec4(kInnerChild));
     uvec4 steps = mix(kinds, uvec4(1u << 16u), inner); // elements in the lower half, nodes in the upper
@@ -45,7 +46,7 @@ uvec4 childWords(uvec4 kinds, uint firstNode, uint firstElement) {
                (before >> 16u) + firstNode, inner);
 }
 
-// Where the ray enters the node's four children, nearest first; kInfinity where it misses.
+// Where the ray enters the node's four children, nearest first; kInfinity for a miss.
 vec4 enterChildren(GeometryRecord node, BoxRay ray, float tMax, out uvec4 children) {
     uvec4 frame = node.a;
     uvec4 low = node.b; // lo x, lo y, lo z, hi x
@@ -74,7 +75,7 @@ vec4 enterChildren(GeometryRecord node, BoxRay ray, float tMax, out uvec4 childr
     return key;
 }
 
-// The nearest child that the ray enters, the others on the stack; kNone where it enters none.
+// The nearest child that the ray enters; pushes the others on the stack. kNone if it enters none.
 uint nextChild(vec4 key, uvec4 children) {
     uint others = key.w < kInfinity ? 3u : key.z < kInfinity ? 2u : key.y < kInfinity ? 1u : 0u;
     pushEntries(others, children.yzw);

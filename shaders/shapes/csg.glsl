@@ -1,28 +1,28 @@
-// Constructive solid geometry: walks the crossings of all leaves in order along the ray and keeps, for each leaf, one
-// bit that says whether the ray is inside. The solid's surface is where the value of the tree changes.
+// Constructive solid geometry: walks the crossings of all leaves in order along the ray and keeps one bit per leaf that
+// says whether the ray is inside it. The solid's surface is where the value of the tree changes.
 //
-// Crossings that lie within kPlaceLength (relative) of one another are one place: a piece of the solid, or a gap in it,
-// that is thinner than this is not there. So coincident faces give a stable picture: they are crossed together, and
-// what shows, at the first of these crossings, is the surface of the first leaf, in the order of the scene file, that is
-// crossed in the same sense as the solid and decides.
+// Crossings within kPlaceLength (relative) of one another form one place: a piece of the solid, or a gap in it, that is
+// thinner than a place is ignored. This makes coincident faces render stably: they are crossed together, and the
+// visible surface, at the first of these crossings, belongs to the first leaf, in the order of the scene file, that is
+// crossed in the same sense as the solid and decides its value.
 #ifndef HYALITE_CSG_GLSL
 #define HYALITE_CSG_GLSL
 #include "shapes/mesh.glsl"
 #include "shapes/solids.glsl"
 
-const float kLongStart = 64.0; // lengths of a place that a ray waits for what it knows to come true
+const float kLongStart = 64.0; // distance, in place lengths, within which the ray waits for its known side to be confirmed
 
-// What a leaf's walk along the ray knows.
+// State of one leaf's walk along the ray.
 struct LeafState {
     float t; // next crossing; kInfinity: none
     uint part;
-    int winding;  // how often the ray is inside; analytic shapes: 0 or 1
+    int winding;  // winding number of the ray; analytic shapes: 0 or 1
     int entering; // what the next crossing adds to the winding
-    uint behind;  // part of the crossing before; kNone: not known
+    uint behind;  // part of the previous crossing; kNone: unknown
 };
 
-// The states of a solid's leaves, in their order. A store to an array at an index that is not known costs a branch for
-// every lane of lavapipe, one in a loop over the whole array that is unrolled a blend.
+// The states of a solid's leaves, in their order. On lavapipe a store to an array at a dynamic index costs a branch for
+// every lane; a store in an unrolled loop over the whole array costs a blend.
 float leafT[kCsgLeaves];
 uint leafPart[kCsgLeaves];
 int leafWinding[kCsgLeaves]; // of meshes
@@ -48,8 +48,8 @@ void setCrossed(uint leaf, uint part) {
     }
 }
 
-// The leaf `i` of a solid whose first one is `first`, after the crossing that it is at; `start`: at that parameter of the
-// ray instead.
+// The state of leaf `i` of a solid whose first leaf is `first`, after its present crossing; with `start`, at the ray
+// parameter `startsAt` instead.
 LeafState nextCrossing(uint first, uint i, Ray ray, bool start, float startsAt) {
     uint leaf = first + i;
     ObjectHeader header = objectHeader(leaf);
@@ -71,7 +71,7 @@ LeafState nextCrossing(uint first, uint i, Ray ray, bool start, float startsAt) 
                      inside ? 1 : 0, inside ? -1 : 1, index > 0 ? crossings.part[index - 1] : kNone);
 }
 
-// The tree's value where bit i of `inside` says whether the point is in leaf i.
+// The tree's value; bit i of `inside` says whether the point is in leaf i.
 bool csgValue(uvec4 program, uint steps, uint inside) {
     uint stack = 0u; // the top is bit 0
     for (uint i = 0u; i < steps; ++i) {
@@ -89,7 +89,8 @@ bool csgValue(uvec4 program, uint steps, uint inside) {
     return (stack & 1u) != 0u;
 }
 
-// The first of the candidates whose bit alone turns the value before or after a place; if none does, the first.
+// The first candidate whose bit alone changes the tree's value before or after a place; if none does, the first
+// candidate.
 uint decidingLeaf(uvec4 program, uint steps, uint candidates, uint before, uint after) {
     bool valueBefore = csgValue(program, steps, before);
     bool valueAfter = csgValue(program, steps, after);
@@ -120,13 +121,13 @@ void traceCsg(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
     uvec2 leaves = floatBitsToUint(objectTexel(object, 0u).xy);
     uvec4 program = texelFetch(geometryTable, int(header.root));
     uint steps = 2u * leaves.y - 1u;
-    uint reversed = 0u; // bits of the leaves whose inside is outside the solid
+    uint reversed = 0u; // bits of the leaves whose inside lies outside the solid
 
     uint inside = 0u;
     bool starting = true;
-    uint before = 0u; // inside bits and value ahead of the place
+    uint before = 0u; // inside bits and value before the place
     bool valueBefore = false;
-    // A ray that leaves this object starts within a place, and knows the value before it
+    // A ray that leaves this object starts within a place and knows the value before it
     Start start = startAt(object, ray.from);
     float around = startLength(ray.origin);
     float placeStart = 0.0;
@@ -141,7 +142,7 @@ void traceCsg(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
             uint type = objectHeader(leaves.x + leaf).type;
             bool isAway = state.winding == 0 && state.t >= hit.t;
             if (isAway && (type & kShapeRequired) != 0u && !(start.known && start.inside)) {
-                return; // and so the solid is away, up to the hit
+                return; // so the solid is absent up to the hit
             }
             setCrossed(leaf, state.behind);
             reversed |= (type & kShapeReversed) != 0u ? bit : 0u;
@@ -160,14 +161,14 @@ void traceCsg(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
                 leaf = i;
             }
         }
-        // What the ray knows may come true a little farther on than its start
+        // The known side may be confirmed only a little beyond the ray's start
         bool waits = start.known && placeStart == 0.0 && t <= kLongStart * around &&
                      csgValue(program, steps, inside) != start.inside;
-        bool isLast = t == kInfinity; // no leaf is crossed again: places may be too long to end before
+        bool isLast = t == kInfinity; // no leaf is crossed again: ends a place that is too long to end by itself
         if (isLast || (t > placeEnd && !waits)) { // the place is complete
             bool value = csgValue(program, steps, inside);
             if (value != valueBefore) {
-                // Where nothing was crossed, the leaf that alone explains it: the ray slips out along its surface
+                // If nothing was crossed, the leaf that alone explains the change: the ray slips out along its surface
                 uint candidates = before != inside ? before ^ inside : ~0u >> (kMaxCsgLeaves - leaves.y);
                 candidates &= (value ? inside : ~inside) ^ reversed; // those crossed in the same sense as the solid
                 uint surface = decidingLeaf(program, steps, candidates, before, inside);

@@ -1,18 +1,18 @@
-// A ray in the space of a quadric or torus, without losing digits to the distance it starts at.
+// A ray in the space of a quadric or torus, without losing precision when it starts far away.
 #ifndef HYALITE_LOCAL_RAY_GLSL
 #define HYALITE_LOCAL_RAY_GLSL
 #include "lib/math.glsl"
 #include "lib/tables.glsl"
 
-// Points p + (t - start) d, t being the parameter of the ray in the world.
+// Points p + (t - start) d; t is the parameter of the ray in the world.
 struct LocalRay {
     vec3 p; // the ray's point nearest to the origin of the space, as the world measures it
     vec3 d;
     float start;
 };
 
-// (o - c) + s d: the terms may be a million times the sum, so what their rounding drops is added back (the error-free
-// sum and product of [Dekker71], which needs no fused multiply-add).
+// (o - c) + s d: the terms may be a million times their sum, so the rounding errors are added back (the error-free sum
+// and product of [Dekker71], which need no fused multiply-add).
 vec3 alongRay(vec3 o, vec3 c, vec3 d, float s) {
     precise vec3 sum = o - c;
     precise vec3 back = sum - o;
@@ -42,8 +42,8 @@ LocalRay localRay(uint object, vec3 o, vec3 d) {
     return LocalRay(toLocal(row0, row1, row2, alongRay(o, center, d, start)), toLocal(row0, row1, row2, d), start);
 }
 
-// Where a line crosses the surface of a solid: up to four places in ascending order, kInfinity where there are fewer.
-// The first and the third enter it, the others leave it; the first may be -kInfinity.
+// Crossings of a line with the surface of a solid: up to four in ascending order, kInfinity for missing ones. The first
+// and the third enter it, the others leave it; the first may be -kInfinity.
 struct Crossings {
     vec4 t;
     uvec4 part; // see Hit.primitive

@@ -1,10 +1,10 @@
-// Rays against triangle meshes: the closest triangle, and the crossings one by one as CSG wants them. In object space.
+// Intersects rays with triangle meshes: the closest triangle, and for CSG the crossings one by one. In object space.
 #ifndef HYALITE_MESH_GLSL
 #define HYALITE_MESH_GLSL
 #include "shared/path_records.h"
 #include "shapes/bvh.glsl"
 
-// The world's ray with the same parameter: the direction is not unit.
+// The world-space ray with the same parameter: the direction is not unit.
 void toMeshSpace(uint object, Ray ray, out vec3 o, out vec3 d) {
     vec4 row0 = objectTexel(object, 0u);
     vec4 row1 = objectTexel(object, 1u);
@@ -14,8 +14,8 @@ void toMeshSpace(uint object, Ray ray, out vec3 o, out vec3 d) {
     d = vec3(dot(row0.xyz, ray.direction), dot(row1.xyz, ray.direction), dot(row2.xyz, ray.direction));
 }
 
-// Edge functions from corners relative to the ray: a shared edge gives the same value with opposite sign to both its
-// triangles, so no ray slips between them [Davidovic12]. The ray's direction need not be unit.
+// Edge functions from corners relative to the ray's origin: a shared edge gives both its triangles the same value with
+// opposite sign, so no ray slips between them [Davidovic12]. The ray's direction need not be unit.
 struct TriangleEdges {
     vec3 a; // first corner from the ray's origin
     vec3 normal;
@@ -47,22 +47,22 @@ bool intersectTriangle(vec3 o, vec3 d, float skipped, GeometryRecord triangle, i
     return true;
 }
 
-// Barycentric coordinates of the second and third corner where the line meets the triangle's plane.
+// Barycentric coordinates of the second and third corner at the line's intersection with the triangle's plane.
 vec2 triangleCoordinates(vec3 o, vec3 d, uint triangle) {
     TriangleEdges e = triangleEdges(o, geometryRecord(triangle));
     vec3 w = vec3(dot(e.edgeA, d), dot(e.edgeB, d), dot(e.edgeC, d));
     return w.yz / (w.x + w.y + w.z);
 }
 
-// The leaf's word without its first element; kNone when that was the last.
+// The leaf's word without its first element; kNone if that was the last.
 uint withoutFirst(uint leaf) {
     bool more = (leaf & ~kLeafBit) >= (2u << kLeafCountShift);
     return more ? leaf + 1u - (1u << kLeafCountShift) : kNone;
 }
 
-// Closest triangle of a mesh, or with `any` the first one found. Each round reads one record, a node's or a triangle's:
-// lanes of a subgroup that go different ways load together all the same. Triangles are met from where the ray comes to
-// the mesh: from far away the edge functions of a small one, differences of large products, would lose their digits.
+// Closest triangle of a mesh, or with `any` the first one found. Each round loads one record, a node or a triangle, so
+// diverging lanes of a subgroup still load together. The ray is moved to where it enters the mesh's box: from far away
+// the edge functions of small triangles, differences of large products, would lose precision.
 void traceMesh(uint root, uint object, vec3 o, vec3 d, bool any, inout Hit hit) {
     BoxRay ray = boxRay(o, d);
     uint bottom = stackDepth;
@@ -98,19 +98,19 @@ void traceMesh(uint root, uint object, vec3 o, vec3 d, bool any, inout Hit hit) 
     }
 }
 
-// The sign of an edge function; on the edge itself, that of the ray moved a little in x, less in y, still less in z:
-// the same for both triangles, so that a line through the edge crosses exactly one of two that face alike, and both or
-// none of two that do not [Edelsbrunner90].
+// The sign of an edge function; exactly on the edge, that of the ray moved a little in x, less in y, still less in z.
+// Both triangles see the same sign, so a line through the edge crosses exactly one of two triangles that face alike,
+// and both or neither of two that do not [Edelsbrunner90].
 bool isPositive(float weight, vec3 edge) {
     float w = weight != 0.0 ? weight : edge.x != 0.0 ? edge.x : edge.y != 0.0 ? edge.y : edge.z;
     return w > 0.0;
 }
 
-// One crossing of the line with a closed mesh, and how often the ray winds out of it from there on.
+// One crossing of the line with a closed mesh, and the winding number from there on.
 struct MeshCrossing {
     float t; // kInfinity: none
     uint triangle;
-    int entering; // 1, or -1 where it leaves
+    int entering; // 1: enters, -1: leaves
     int winding;  // with `count`: triangles left minus triangles entered from there on
 };
 

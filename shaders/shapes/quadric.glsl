@@ -1,4 +1,4 @@
-// Surfaces of second degree within a box: ellipsoids, cones, cylinders, paraboloids, hyperboloids, boxes, half-spaces.
+// Second-degree surfaces within a box: ellipsoids, cones, cylinders, paraboloids, hyperboloids, boxes, half-spaces.
 #ifndef HYALITE_QUADRIC_GLSL
 #define HYALITE_QUADRIC_GLSL
 #include "shapes/local_ray.glsl"
@@ -22,12 +22,12 @@ QuadricForm quadricForm(uint object) {
                        vec3(linear.w, sides.yw));
 }
 
-// A v; with absolute values of everything, a bound on the terms it is summed from.
+// A v; with absolute values of all arguments, a bound on the summed terms.
 vec3 timesSymmetric(vec3 diagonal, vec3 offDiagonal, vec3 v) {
     return diagonal * v + offDiagonal.xxy * v.yxx + offDiagonal.yzz * v.zzy;
 }
 
-// The part of the line p + t d within a box, and which face it enters and leaves by.
+// The part of the line p + t d within a box, and the faces by which it enters and leaves.
 struct BoxSpan {
     vec2 t;
     uvec2 part;
@@ -46,14 +46,14 @@ BoxSpan boxSpan(vec3 p, vec3 d, vec3 low, vec3 high) {
                    uvec2(1u + 2u * enterAxis + backward[enterAxis], 2u + 2u * leaveAxis - backward[leaveAxis]));
 }
 
-// The parameters between which (`between`) or outside of which q(p + t d) <= 0; the same twice where q has one sign.
+// The parameters between which (`between`) or outside of which q(p + t d) <= 0; equal if q does not change sign.
 struct FormRoots {
     vec2 t;
     bool between;
 };
 
-// One step of Newton's method: where the form changes fast, the roots of its restriction to the line are not as right
-// as the form itself. Near a double root they are, and the step is not taken.
+// One step of Newton's method: where the form changes fast, the roots of its restriction to the line are less accurate
+// than the form itself. Near a double root they are as accurate, and the step is skipped.
 float polishedRoot(QuadricForm form, vec3 p, vec3 d, float t, float apart) {
     vec3 x = p + t * d;
     vec3 halfGradient = timesSymmetric(form.diagonal, form.offDiagonal, x) + form.linear;
@@ -66,7 +66,7 @@ FormRoots formRoots(QuadricForm form, vec3 p, vec3 d) {
     vec3 Ad = timesSymmetric(form.diagonal, form.offDiagonal, d);
     float A = dot(d, Ad);
     float B = dot(p, Ad) + dot(form.linear, d);
-    // Moved on to where q is least along the line (for a sphere that is here), no large terms of B^2 - A C cancel
+    // Moved to the minimum of q along the line (already there for a sphere), so that no large terms of B^2 - A C cancel
     float toVertex = A == 0.0 ? 0.0 : -B / A;
     vec3 vertex = p + toVertex * d;
     if (dot(vertex, vertex) <= 16.0 * dot(p, p)) {
@@ -82,7 +82,7 @@ FormRoots formRoots(QuadricForm form, vec3 p, vec3 d) {
         bool allInside = A < 0.0 || (A == 0.0 && C <= 0.0);
         return FormRoots(vec2(0.0), !allInside);
     }
-    // Neither root is a difference of nearly equal numbers [Haines19]; A = 0 sends one of them to infinity, to the side
+    // Neither root is a difference of nearly equal numbers [Haines19]; A = 0 sends one of them to infinity, on the side
     // that makes the interval a half-line
     float root = sqrt(discriminant);
     float q = B > 0.0 ? -B - root : root - B;
@@ -93,7 +93,7 @@ FormRoots formRoots(QuadricForm form, vec3 p, vec3 d) {
     return FormRoots(roots + toVertex, A >= 0.0);
 }
 
-// Appends [from, to] unless it is empty.
+// Appends [from, to] if it is not empty.
 void appendSpan(inout Crossings crossings, vec2 t, uvec2 part) {
     if (t.x < t.y) {
         if (crossings.t.x == kInfinity) {
@@ -116,7 +116,7 @@ Crossings quadricCrossings(uint object, uint type, vec3 o, vec3 d) {
     }
     FormRoots roots = formRoots(form, ray.p, ray.d);
     if ((type & kShapeOpen) != 0u) {
-        // No solid, just a surface: its roots in the box
+        // An open surface, not a solid: its roots within the box
         bool crosses = roots.t.x < roots.t.y;
         crossings.t.x = crosses && roots.t.x >= box.t.x && roots.t.x <= box.t.y ? roots.t.x : kInfinity;
         crossings.t.y = crosses && roots.t.y >= box.t.x && roots.t.y <= box.t.y ? roots.t.y : kInfinity;
@@ -132,7 +132,7 @@ Crossings quadricCrossings(uint object, uint type, vec3 o, vec3 d) {
     } else {
         appendSpan(crossings, box.t, box.part);
     }
-    // An end without a box is no crossing
+    // An unbounded end is not a crossing
     crossings.t = mix(crossings.t + ray.start, crossings.t, greaterThan(abs(crossings.t), vec4(kEndless)));
     crossings.t = mix(crossings.t, vec4(kInfinity), greaterThan(crossings.t, vec4(kEndless)));
     return crossings;

@@ -1,9 +1,9 @@
-// Rays through the whole scene: shapes without end, the hierarchy over the objects, and what each object is.
+// Traces rays through the whole scene: unbounded shapes, the hierarchy over the objects, and the objects' shapes.
 #ifndef HYALITE_SCENE_GLSL
 #define HYALITE_SCENE_GLSL
 #include "shapes/csg.glsl"
 
-// An object that is no mesh.
+// Intersects an object that is not a mesh.
 void traceShape(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
     if (isShape(header.type, kShapeSphere)) {
         Start start = startAt(object, ray.from);
@@ -12,7 +12,7 @@ void traceShape(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
         }
     } else if (isShape(header.type, kShapeQuad) || isShape(header.type, kShapeDisk) ||
                isShape(header.type, kShapePlane)) {
-        vec2 uv; // a ray that leaves a plane never meets it again
+        vec2 uv; // a ray that leaves a plane never hits it again
         if (!startAt(object, ray.from).known &&
             intersectFlat(object, header.type, ray.origin, ray.direction, hit.t, uv)) {
             hit = Hit(hit.t, object, 0u, uv);
@@ -24,7 +24,7 @@ void traceShape(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
     }
 }
 
-// Tries each object of a scene of few.
+// Intersects every object; for scenes of few.
 void traceFew(Ray ray, bool any, inout Hit hit) {
     for (uint object = 0u; object < kFewObjects && !(any && hit.object != kNone); ++object) {
         ObjectHeader header = objectHeader(object);
@@ -38,22 +38,22 @@ void traceFew(Ray ray, bool any, inout Hit hit) {
     }
 }
 
-// Descends the hierarchy over the objects and, in the same loop, those of the meshes among them: lanes of a subgroup that
-// are in a mesh do not wait for those that look for one. Objects without end stand before the hierarchy's root.
+// Traverses the hierarchy over the objects and, in the same loop, those of the meshes in it: lanes inside a mesh do not
+// wait for lanes still searching for one. Unbounded objects come before the hierarchy's root.
 void traceObjects(uint root, Ray ray, bool any, inout Hit hit) {
     BoxRay box = boxRay(ray.origin, ray.direction);
     uint bottom = stackDepth;
     uint word = root;
-    uint object = 0u; // the next to be tried of the leaf that the ray is in
+    uint object = 0u; // the next one to intersect in the present leaf
     uint end = kEndlessObjects;
     if (kEndlessObjects > 0u) {
         pushEntries(1u, uvec3(root));
         word = kNone;
     }
-    uint mesh = kNone; // the object whose mesh the ray is in; kNone: it is among the objects
+    uint mesh = kNone; // the object whose mesh is being traversed; kNone: the traversal is among the objects
     uint bottomOfMesh = 0u;
     vec3 o = vec3(0.0), d = vec3(0.0); // the ray in the mesh's space; see traceMesh
-    float skipped = kInfinity;         // kInfinity: it has not come to the mesh's root yet
+    float skipped = kInfinity;         // kInfinity: not yet at the mesh's root
     while (true) {
         bool isNode = (word & kLeafBit) == 0u;
         if (isNode || (mesh != kNone && word != kNone)) {
@@ -110,14 +110,14 @@ void traceObjects(uint root, Ray ray, bool any, inout Hit hit) {
     }
 }
 
-// Whether every number of the ray is finite. NaN compares false with everything, and walks end by comparisons.
+// Is every component of the ray finite? NaN compares false with everything, and traversal loops end by comparisons.
 bool isFinite(Ray ray) {
     const float kLargest = 3.402823466e38;
     return all(lessThanEqual(abs(ray.origin), vec3(kLargest))) &&
            all(lessThanEqual(abs(ray.direction), vec3(kLargest))) && abs(ray.tMax) <= kLargest;
 }
 
-// The closest hit along the ray, or with `any` some hit; none for a ray with a number that is not finite.
+// The closest hit along the ray, or with `any` some hit; none for a ray with a non-finite component.
 Hit traceScene(uint root, Ray ray, bool any) {
     Hit hit = Hit(ray.tMax, kNone, 0u, vec2(0.0));
     if (!isFinite(ray)) {

@@ -1,4 +1,4 @@
-// Ray against a sphere or a flat shape. `d` is unit.
+// Intersects a ray with a sphere or a flat shape. `d` is unit.
 #ifndef HYALITE_SHAPES_GLSL
 #define HYALITE_SHAPES_GLSL
 #include "shared/path_records.h"
@@ -6,7 +6,7 @@
 #include "lib/specialization.glsl"
 #include "lib/tables.glsl"
 
-// What a ray knows of an object it may be leaving.
+// A ray's knowledge of an object that it may be leaving.
 struct Start {
     bool known;  // it leaves this object
     bool inside; // and runs inside it
@@ -16,8 +16,8 @@ Start startAt(uint object, uint from) {
     return Start((from & ~kRayInside) == 1u + object, (from & kRayInside) != 0u);
 }
 
-// Both roots, in order; from inside there are always two. The discriminant is taken from the distance of centre and line, and the nearer root from the
-// product of both, so neither loses digits far away or on the surface [Haines19].
+// Both roots, in order; from inside there are always two. The discriminant comes from the distance between centre and
+// line, and the nearer root from the product of both, so neither loses precision far away or on the surface [Haines19].
 bool sphereRoots(vec3 o, vec3 d, vec4 sphere, bool isInside, out vec2 t) {
     vec3 fromCenter = o - sphere.xyz;
     float radius = sphere.w;
@@ -36,7 +36,8 @@ bool sphereRoots(vec3 o, vec3 d, vec4 sphere, bool isInside, out vec2 t) {
     return true;
 }
 
-// The nearest t in (0, tMax); lowers tMax to it. A ray that leaves the sphere meets it again at the farther root or never.
+// The nearest t in (0, tMax); lowers tMax to it. A ray that leaves the sphere hits it again at the farther root or
+// never.
 bool intersectSphere(vec3 o, vec3 d, vec4 sphere, Start start, inout float tMax) {
     vec2 roots;
     if ((start.known && !start.inside) || !sphereRoots(o, d, sphere, start.known, roots)) {
@@ -50,8 +51,8 @@ bool intersectSphere(vec3 o, vec3 d, vec4 sphere, Start start, inout float tMax)
     return true;
 }
 
-// Flat shapes are a plane and, but for planes without end, two affine coordinates in it (see scene_records.h), which are
-// looked up only for rays that come to the plane.
+// A flat shape is a plane and, unless it is unbounded, two affine coordinates in it (see scene_records.h), which are
+// loaded only if the ray hits the plane.
 bool intersectFlat(uint object, uint type, vec3 o, vec3 d, inout float tMax, out vec2 uv) {
     vec4 plane = objectTexel(object, 0u);
     float t = (plane.w - dot(plane.xyz, o)) / dot(plane.xyz, d);

@@ -1,4 +1,4 @@
-// The crossings of a line with a solid that has a formula.
+// The crossings of a line with an analytic solid.
 #ifndef HYALITE_SOLIDS_GLSL
 #define HYALITE_SOLIDS_GLSL
 #include "shared/path_records.h"
@@ -26,16 +26,16 @@ Crossings solidCrossings(uint object, uint type, Ray ray) {
     return quadricCrossings(object, type, ray.origin, ray.direction);
 }
 
-// Crossings nearer together than this are one place (see csg.glsl): 2^-18 of t or of the origin's largest coordinate, a
-// few roundings. A ray that knows on which side it starts takes no notice of what it crosses in this length around.
+// Crossings closer together than this are one place (see csg.glsl): 2^-18 of t or of the origin's largest coordinate, a
+// few roundings. A ray that knows on which side it starts ignores crossings within this distance of its start.
 const float kPlaceLength = 3.814697265625e-6;
 
 float startLength(vec3 origin) {
     return kPlaceLength * maxComponent(abs(origin));
 }
 
-// Which of the crossings the ray meets first, 4: none. From a known side it is one to the other side, at once where the
-// two disagree within rounding.
+// Index of the crossing that the ray meets first, 4: none. If the ray's side is known, it must cross to the other side,
+// or crosses immediately if the two disagree within rounding.
 int firstCrossing(Crossings crossings, Ray ray, Start start) {
     float around = startLength(ray.origin);
     float after = start.known ? around : 0.0;

@@ -1,9 +1,9 @@
-// What a ray has still to visit of the hierarchies that it is in: the one over objects, and on top of it that of a mesh.
-// Each walk remembers the depth at which it began, and ends there.
+// The traversal stack of the hierarchies that a ray is in: the one over objects, and on top of it that of a mesh. Each
+// traversal remembers the depth at which it began, and ends there.
 //
-// On a device without scattered stores to private memory (lavapipe) a store at an index costs a branch for every lane:
-// so the topmost entries stand in variables that are shifted, and what falls off them, rarely, in an array. It is all
-// in variables of the file, because parameters of functions are copied.
+// On a device without scattered stores to private memory (lavapipe) an indexed store costs a branch for every lane.
+// Therefore the topmost entries are variables that are shifted, and only the rare overflow goes to an array. The
+// variables are global, because function parameters are copied.
 #ifndef HYALITE_STACK_GLSL
 #define HYALITE_STACK_GLSL
 #include "shared/limits.h"
@@ -17,9 +17,9 @@ uint stackTop3 = 0u;
 uint stackTop4 = 0u;
 uint stackTop5 = 0u;
 const bool kAllInTops = kStackEntries <= kStackTops;
-uint stackRest[kAllInTops ? 1u : kStackEntries - kStackTops]; // those beneath, the lowest first
+uint stackRest[kAllInTops ? 1u : kStackEntries - kStackTops]; // the entries below, the lowest first
 
-// Puts the first `count` (0 to 3) of the entries on the stack, the first of them on top.
+// Pushes the first `count` (0 to 3) of the entries, the first of them on top.
 void pushEntries(uint count, uvec3 entries) {
     bool one = (count & 1u) != 0u;
     bool two = (count & 2u) != 0u;
@@ -49,7 +49,7 @@ void pushEntries(uint count, uvec3 entries) {
     stackTop2 = count >= 3u ? entries.z : stackTop2;
 }
 
-// Takes the topmost entry; there must be one.
+// Pops the topmost entry; there must be one.
 uint popEntry() {
     uint entry = stackTop0;
     stackTop0 = stackTop1;

@@ -1,4 +1,4 @@
-// What a path needs to know of the point it hit.
+// The surface at a hit, as paths need it.
 #ifndef HYALITE_SURFACE_GLSL
 #define HYALITE_SURFACE_GLSL
 #include "shared/limits.h"
@@ -9,27 +9,28 @@
 struct Surface {
     vec3 position;        // world [m]
     vec3 geometricNormal; // unit, on the side the ray came from
-    vec3 normal;          // likewise, smoothed where a mesh has normals
+    vec3 normal;          // likewise, interpolated if the mesh has normals
     float error;          // bound on the error of position [m]
     bool front;           // the ray came from outside; on flat shapes, from the side the normal is on
-    uint object;          // of CSG the whole, not the leaf
+    uint object;          // for CSG the solid, not the leaf
     uint material;
     uint light;
-    vec2 uv; // for textures: set where the scene has any
+    vec2 uv; // for textures: set if the scene has any
 };
 
-// Positions of quads and spheres, and the next intersection's view of them, are a handful of roundings, each at most
-// 2^-24 of the largest term; those of transformed triangles about twice as many. Twice that is safe, and small enough
-// that where a ray lands does not move visibly.
+// Error of positions: on quads and spheres, the position and the next ray's intersection with the surface take a
+// handful of roundings, each at most 2^-24 of the largest term; on transformed triangles about twice as many. Twice
+// that is safe, and small enough that hits do not move visibly.
 const float kPositionError = 4.76837158203125e-7; // 2^-21
 const float kTransformedPositionError = 1.9073486328125e-6; // 2^-19
 
-// Off its plane a point of a quad is by the roundings of n.p alone, here and when the next ray meets the plane: three
-// each time, one where p is moved onto the plane and one where the ray moves off it, each at most 2^-24 of the sum of
-// |n_i p_i|; ten of them are assumed.
+// Distance of a point of a quad from its plane: only the roundings of n.p, here and when the next ray meets the plane.
+// That is three each time, one where p is moved onto the plane and one where the ray moves off it, each at most 2^-24
+// of the sum of |n_i p_i|; ten are assumed.
 const float kPlaneError = 5.9604644775390625e-7; // 10 * 2^-24
 
-// Points of quadrics and tori: the map to their space, the form there and back, and the same once more for the next ray.
+// Points of quadrics and tori: the map to their space, evaluating the form, the map back, and the same again for the
+// next ray.
 const float kFormError = 9.5367431640625e-7; // 2^-20
 const float kLargestError = 0.0009765625;    // 2^-10 of the distance to the centre
 
@@ -41,7 +42,8 @@ vec3 toWorld(InstanceRecord instance, vec4 p) {
     return vec3(dot(instance.row0, p), dot(instance.row1, p), dot(instance.row2, p));
 }
 
-// Projected back onto the sphere, the point is right to the rounding of its coordinates however far the ray came.
+// Projects the point back onto the sphere: then it is accurate to the rounding of its coordinates, however long the
+// ray.
 vec3 placeOnSphere(uint object, vec3 p, inout Surface s) {
     vec4 sphere = objectTexel(object, 0u);
     vec3 outward = normalize(p - sphere.xyz);
@@ -57,7 +59,7 @@ vec3 placeOnPlane(uint object, vec3 p, inout Surface s) {
     return plane.xyz;
 }
 
-// A face of a quadric's box, in the space of the form.
+// A face of a quadric's box, in the form's space.
 vec3 placeOnFace(QuadricForm form, uint part, vec4 rows[3], vec3 center, vec3 p, inout Surface s) {
     uint axis = (part - 1u) >> 1u;
     bool high = ((part - 1u) & 1u) != 0u;
@@ -69,14 +71,14 @@ vec3 placeOnFace(QuadricForm form, uint part, vec4 rows[3], vec3 center, vec3 p,
     return row.xyz * ((high ? 1.0 : -1.0) / sqrt(scale));
 }
 
-// How far off the surface a point may be whose distance is `value` (rounding included) over a slope `slope` [1/m]; at
-// the apex of a cone, where the slope vanishes, not more than `most`.
+// Bound on the distance from the surface of a point where the form is at most `value` (rounding included) and its slope
+// is `slope` [1/m]; limited to `most` where the slope vanishes, at the apex of a cone.
 float errorOver(float value, float slope, float most) {
     return value < slope * most ? value / slope : most;
 }
 
-// One step of Newton's method along the gradient puts the point on the surface, up to what rounding leaves of q: a few
-// times 2^-24 of the sum of its terms.
+// One step of Newton's method along the gradient moves the point onto the surface, up to the rounding of q: a few times
+// 2^-24 of the sum of its terms.
 vec3 placeOnQuadric(uint object, Ray ray, uint part, vec3 p, inout Surface s) {
     vec4 rows[3] = vec4[3](objectTexel(object, 0u), objectTexel(object, 1u), objectTexel(object, 2u));
     vec3 center = vec3(rows[0].w, rows[1].w, rows[2].w);
@@ -119,7 +121,7 @@ vec3 placeOnTorus(uint object, vec3 p, inout Surface s) {
     return gradient / slope;
 }
 
-// Also sets the normal, smoothed where the mesh has normals.
+// Also sets the normal, interpolated if the mesh has normals.
 vec3 placeOnTriangle(Hit hit, bool smoothed, NormalArray normals, InstanceArray instances, inout Surface s) {
     GeometryRecord triangle = geometryRecord(hit.primitive);
     vec3 a = uintBitsToFloat(triangle.a.xyz);
@@ -146,8 +148,8 @@ vec3 placeOnTriangle(Hit hit, bool smoothed, NormalArray normals, InstanceArray 
     return outward;
 }
 
-// Coordinates for textures. Spheres: longitude from -z by way of -x and latitude from -y to +y, in world directions;
-// disks: the square around them. Shapes without coordinates have (0, 0).
+// Texture coordinates. Spheres: longitude from -z by way of -x and latitude from -y to +y, in world directions; disks:
+// their bounding square. Shapes without coordinates have (0, 0).
 vec2 textureCoordinates(uint type, Hit hit, vec3 outward) {
     if (isShape(type, kShapeMesh)) {
         vec4 first = texelFetch(coordinateTable, int(kTexelsPerCoordinates * hit.primitive));
@@ -191,8 +193,8 @@ Surface surfaceAt(Ray ray, Hit hit, NormalArray normals, InstanceArray instances
     }
     s.uv = kTextures != 0u ? textureCoordinates(header.type, hit, outward) : vec2(0.0);
     if (isLeaf) {
-        // Where the ray met the solid, not where it would have met this leaf: at an edge the two differ by a place (see
-        // csg.glsl). No error: a ray that leaves a solid knows on which side it starts
+        // The hit on the solid, not on this leaf: at an edge the two differ by a place (see csg.glsl). No error: a ray
+        // that leaves a solid knows on which side it starts
         s.position = p;
         s.error = 0.0;
     }
@@ -200,18 +202,18 @@ Surface surfaceAt(Ray ray, Hit hit, NormalArray normals, InstanceArray instances
         outward = -outward;
         s.normal = -s.normal;
     }
-    s.front = isLeaf ? enters : dot(ray.direction, outward) < 0.0; // of CSG the walk knows, however the ray grazes
+    s.front = isLeaf ? enters : dot(ray.direction, outward) < 0.0; // for CSG the walk knows, even at grazing incidence
     s.geometricNormal = s.front ? outward : -outward;
     s.normal = s.front ? s.normal : -s.normal;
     return s;
 }
 
-// What a ray that leaves the surface knows of it; `through`: to the side where the arriving ray was not.
+// The `from` of a ray that leaves the surface (see Ray); `through`: to the side opposite the arriving ray.
 uint leaving(Surface s, bool through) {
     return (1u + s.object) | (s.front == through ? kRayInside : 0u);
 }
 
-// A ray from the surface in `direction`, moved off it to the side it goes to by what the position may be wrong.
+// A ray from the surface in `direction`, offset by the position's error to the side it goes to.
 Ray leaveSurface(Surface s, vec3 direction, bool through) {
     float side = dot(direction, s.geometricNormal) < 0.0 ? -1.0 : 1.0;
     return Ray(s.position + (side * s.error) * s.geometricNormal, kInfinity, direction, leaving(s, through));

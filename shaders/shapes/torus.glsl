@@ -1,11 +1,11 @@
-// The torus (sqrt(x^2 + z^2) - major)^2 + y^2 = minor^2: a quartic, solved by the cascade of its derivatives [Yuksel22].
-// Between two roots of the derivative there is at most one root; the polynomial only says where to look, and the root
-// itself is polished on the distance to the torus, which single precision knows to the last digits.
+// The torus (sqrt(x^2 + z^2) - major)^2 + y^2 = minor^2: a quartic, solved by the cascade of its derivatives
+// [Yuksel22]. Between two roots of the derivative there is at most one root. The polynomial only brackets it; the root
+// itself is refined on the distance to the torus, which single precision evaluates accurately.
 #ifndef HYALITE_TORUS_GLSL
 #define HYALITE_TORUS_GLSL
 #include "shapes/local_ray.glsl"
 
-// A line p + u d about a torus of major radius 1; p.d = 0, d unit.
+// A line p + u d relative to a torus of major radius 1; p.d = 0, d unit.
 struct TorusLine {
     vec3 p;
     vec3 d;
@@ -23,10 +23,10 @@ vec2 torusDistance(TorusLine line, float u) {
     return vec2(distance - line.minor, slope);
 }
 
-const int kPolishSteps = 32; // bisection alone would do; Newton's method takes about five
+const int kPolishSteps = 32; // enough for bisection alone; Newton's method takes about five
 
-// The root of 4 u^3 + 2 c2 u + c1, monotone between low and high where it has opposite signs; else the end where it is
-// smaller, which serves as well: there is nothing between them to separate.
+// The root of 4 u^3 + 2 c2 u + c1, monotone between low and high, if the signs there differ; else the end with the
+// smaller value, which serves as well: there are no roots of the quartic to separate.
 float cubicRoot(float c2, float c1, float low, float high) {
     float atLow = (4.0 * low * low + 2.0 * c2) * low + c1;
     float atHigh = (4.0 * high * high + 2.0 * c2) * high + c1;
@@ -41,14 +41,14 @@ float cubicRoot(float c2, float c1, float low, float high) {
         float next = u - value / (12.0 * u * u + 2.0 * c2);
         next = next > low && next < high ? next : 0.5 * (low + high);
         if (abs(next - u) < 1.0e-6) {
-            break; // only a place to look from
+            break; // accurate enough: it only brackets a root
         }
         u = next;
     }
     return u;
 }
 
-// Where the distance, monotone enough between low and high and of opposite signs there, is zero.
+// The zero of the distance, which is nearly monotone between low and high and has opposite signs there.
 float torusRoot(TorusLine line, float low, float high, bool entering) {
     float u = 0.5 * (low + high);
     for (int i = 0; i < kPolishSteps; ++i) {
@@ -102,7 +102,7 @@ Crossings torusCrossings(uint object, vec3 o, vec3 d) {
         bool insideNext = i < 4 && torusDistance(line, ends[i]).x < 0.0;
         if (insideNext != inside) {
             float t = origin + scale * torusRoot(line, ends[i - 1], ends[i], insideNext);
-            // Roots that rounding has made one are none
+            // Two roots that rounding has merged count as none
             if (count > 0 && !(t > crossings.t[count - 1])) {
                 crossings.t[--count] = kInfinity;
             } else {

@@ -1,35 +1,35 @@
-// Sums of the film as whole numbers of kFilmStep: adding them is exact, so that passes may be added in any order, by
-// any number of machines, and give the same bits. What a pass brings is rounded to a step once, by itself.
+// The film's sums as integer multiples of kFilmStep: addition is exact, so any number of machines may add passes in any
+// order and get the same bits. Each pass's value is rounded to a step once, on its own.
 #ifndef HYALITE_SHARED_FILM_H
 #define HYALITE_SHARED_FILM_H
 #include "language.h"
 SHARED_BEGIN
 
-// One step is 2^-44 (5.7e-14): radiances from 1e-6 on keep all digits of a float. 96 bits of it reach to 2^52.
+// One step is 2^-44 (5.7e-14): radiances from 1e-6 up keep all digits of a float. 96 bits reach up to 2^52.
 SHARED_CONSTANT kFilmFraction = 44u;
 
-// 96 bits, not negative.
+// 96 bits, unsigned.
 struct FilmSum {
     uint low;
     uint middle;
     uint high;
 };
 
-struct FilmColor { // [W/(m^2 sr)], or what else a layer holds
+struct FilmColor { // [W/(m^2 sr)], or the layer's own unit
     FilmSum red;
     FilmSum green;
     FilmSum blue;
 };
 DEVICE_ARRAY(FilmColor, FilmArray);
 
-// What keeps a value from the film. It is counted and left out.
+// Faults that keep a value from the film. It is counted and left out.
 SHARED_CONSTANT kFilmNotANumber = 0u;
 SHARED_CONSTANT kFilmInfinite = 1u;
 SHARED_CONSTANT kFilmNegative = 2u;
-SHARED_CONSTANT kFilmTooBright = 3u; // or the sum would be: 2^52 or more
-SHARED_CONSTANT kFilmFaults = 4u;    // so many kinds; also: no fault
+SHARED_CONSTANT kFilmTooBright = 3u; // the value or the sum is 2^52 or more
+SHARED_CONSTANT kFilmFaults = 4u;    // number of kinds; as a result: no fault
 
-// Judges the bits of a float.
+// Classifies the bits of a float.
 SHARED_FUNCTION uint filmFault(uint bits) {
     uint magnitude = bits & 0x7fffffffu;
     if (magnitude >= 0x7f800000u) {
@@ -41,17 +41,16 @@ SHARED_FUNCTION uint filmFault(uint bits) {
     return magnitude >> 23u >= 127u + 52u ? kFilmTooBright : kFilmFaults;
 }
 
-// The nearest number of steps to a float without fault, halves up, given its bits.
+// The nearest number of steps to a float without fault, given its bits; halves round up.
 SHARED_FUNCTION FilmSum filmSum(uint bits) {
     uint magnitude = bits & 0x7fffffffu;
     uint exponent = magnitude >> 23u;
-    uint digits =
-        (magnitude & 0x7fffffu) | 0x800000u; // times 2^(exponent - 150); what is smaller than normal rounds to 0
+    uint digits = (magnitude & 0x7fffffu) | 0x800000u; // times 2^(exponent - 150); subnormal numbers round to 0
     FilmSum sum;
     sum.low = 0u;
     sum.middle = 0u;
     sum.high = 0u;
-    const uint unit = 150u - kFilmFraction; // where digits count steps
+    const uint unit = 150u - kFilmFraction; // exponent at which digits count steps
     if (exponent < unit) {
         uint drop = unit - exponent;
         sum.low = drop > 24u ? 0u : (digits + (1u << (drop - 1u))) >> drop;
@@ -73,7 +72,7 @@ SHARED_FUNCTION FilmSum filmSum(uint bits) {
     return sum;
 }
 
-// Modulo 2^96: a sum that has grown too large is less than what was added.
+// Modulo 2^96: a sum that overflows is less than the addend.
 SHARED_FUNCTION FilmSum filmAdd(FilmSum a, FilmSum b) {
     FilmSum sum;
     sum.low = a.low + b.low;
@@ -95,9 +94,9 @@ SHARED_FUNCTION uint filmIsLess(FilmSum a, FilmSum b) {
     return a.low < b.low ? 1u : 0u;
 }
 
-// The bits of the nearest float, of two the even one.
+// The bits of the nearest float; ties to even.
 SHARED_FUNCTION uint filmValue(FilmSum sum) {
-    uint zeros = 0u; // before the first one
+    uint zeros = 0u; // leading zeros
     for (uint word = 0u; word < 2u && sum.high == 0u; ++word) {
         sum.high = sum.middle;
         sum.middle = sum.low;
@@ -115,7 +114,7 @@ SHARED_FUNCTION uint filmValue(FilmSum sum) {
     }
     zeros += shift;
     uint high = sum.high << shift;
-    uint rest = sum.middle << shift | sum.low; // whether any digit follows is all that counts
+    uint rest = sum.middle << shift | sum.low; // only whether it is zero matters
     if (shift > 0u) {
         high |= sum.middle >> (32u - shift);
     }

@@ -1,13 +1,13 @@
-// The shape of a left-balanced kd-tree, which follows from its count alone: every level but the last is full, the last
-// is filled from the left, and so node i of the heap order has the children 2i + 1 and 2i + 2 [Jensen01].
+// The shape of a left-balanced kd-tree, which depends only on its count: every level but the last is full, the last is
+// filled from the left, so node i of the heap order has the children 2i + 1 and 2i + 2 [Jensen01].
 #ifndef HYALITE_SHARED_KD_TREE_H
 #define HYALITE_SHARED_KD_TREE_H
 #include "language.h"
 SHARED_BEGIN
 
-// Nodes of the left subtree of the root of a tree of `count` nodes.
+// Number of nodes in the left subtree of the root of a tree of `count` nodes.
 SHARED_FUNCTION uint kdLeftCount(uint count) {
-    uint levels = count; // becomes 2^h - 1, the nodes above and half of the last level's places
+    uint levels = count; // becomes 2^h - 1, the nodes above the last level
     levels |= levels >> 1u;
     levels |= levels >> 2u;
     levels |= levels >> 4u;
@@ -18,17 +18,17 @@ SHARED_FUNCTION uint kdLeftCount(uint count) {
         return 0u;
     }
     uint last = count - levels;         // nodes of the last level
-    uint halfLast = (levels + 1u) / 2u; // its places under the left child
+    uint halfLast = (levels + 1u) / 2u; // its places below the left child
     return (levels - 1u) / 2u + (last < halfLast ? last : halfLast);
 }
 
-// Where a subtree's nodes stand in the order left subtree, node, right subtree.
+// The range of a subtree's nodes in the order left subtree, node, right subtree.
 struct KdRange {
     uint first;
     uint count;
 };
 
-// That of node `number` of `level` below the root of `range`; empty where the tree has no such node.
+// The range of node `number` of `level` below the root of `range`; empty if the tree has no such node.
 SHARED_FUNCTION KdRange kdSubtree(KdRange range, uint level, uint number) {
     for (uint bit = level; bit > 0u && range.count > 0u; --bit) {
         uint left = kdLeftCount(range.count);

@@ -1,6 +1,6 @@
-// The push constants of every kernel, in the order of the pass. Each names what the kernel reads, then what it
-// writes, then its numbers; `count` is the number of threads that have work. Where there is a `live`, the queue's size
-// on the device says that number, and `count` is the largest that it may be; with a `live` of none it is `count`.
+// The push constants of every kernel, in the order of the pass. Each lists the kernel's inputs, then its outputs, then
+// its numbers; `count` is the number of threads with work. If there is a `live`, it is the queue's size on the device
+// and gives that number, and `count` is its upper bound; if `live` is null, `count` is the number.
 #ifndef HYALITE_SHARED_KERNEL_ARGUMENTS_H
 #define HYALITE_SHARED_KERNEL_ARGUMENTS_H
 #include "film.h"
@@ -26,7 +26,7 @@ struct TraceClosestArguments {
     HitArray hits; // out
     uint count;
     uint rootNode; // of the BVH over objects
-    uint width;    // where these are the pixels of a picture, its width [pixels]: see pixelOfThread; else 0
+    uint width;    // of the picture if the threads are its pixels [pixels], see pixelOfThread; else 0
     QueueSizeArray live;
 };
 
@@ -39,23 +39,23 @@ struct ShadeSurfaceArguments {
     NormalArray normals;
     InstanceArray instances;
     VisiblePointArray visiblePoints; // out, by pixel
-    ColorArray emitted;              // out, by pixel: added to what is there, but at the first hit
+    ColorArray emitted;              // out, by pixel: overwritten at the first hit, added to at later ones
     RayArray nextRays;               // out, one per path
     CameraPathArray nextPaths;       // out, likewise
-    UintArray alive;                 // out, likewise: 1 where a next ray stands, else 0
+    UintArray alive;                 // out, likewise: 1 if there is a next ray, else 0
     uint count;
     uint depth;    // segments from the camera to these hits
     uint maxDepth; // no next ray from here on
     uint pass;
     RoughPointArray roughPoints; // out, one per path; untouched in scenes without rough lobes
-    uint width; // where these are the pixels of a picture, its width [pixels]: see pixelOfThread; else 0
+    uint width;                  // of the picture if the threads are its pixels [pixels], see pixelOfThread; else 0
     QueueSizeArray live;
 };
 
-// Where `result` is named: the pixel of rays that start at the camera, else the ray's own number.
+// The `result` of a ray: its pixel if it starts at the camera, else its own number.
 struct TraceWhittedArguments {
-    UintArray slots;       // where the rays and their paths stand; none: they start at the camera, one per pixel
-    RayArray rays;         // of the level before
+    UintArray slots;       // slots of the rays and their paths; null: rays start at the camera, one per pixel
+    RayArray rays;         // of the previous level
     CameraPathArray paths; // likewise
     MaterialArray materials;
     LightArray lights;
@@ -66,7 +66,7 @@ struct TraceWhittedArguments {
     RoughPointArray roughPoints; // out, one per ray; untouched in scenes without rough lobes
     RayArray nextRays;           // out, two slots per ray, the first of which is used first
     CameraPathArray nextPaths;   // out, likewise
-    UintArray alive;             // out: how many of the ray's slots are used
+    UintArray alive;             // out: number of the ray's slots in use
     RenderSeed seed;
     CameraRecord camera;
     uint count;
@@ -76,13 +76,13 @@ struct TraceWhittedArguments {
     float minWeight; // a next ray whose throughput is below this in every channel is not followed
     uint lightCount;
     uint rootNode;
-    RayArray keptRays;               // out: where they came from; none: this and what follows is not written
-    CameraPathArray keptPaths;       // out: as they came to their hits
+    RayArray keptRays;               // out: the level's rays; null: this and the following are not written
+    CameraPathArray keptPaths;       // out: their paths on arrival at the hits
     HitArray hits;                   // out
-    ColorArray emitted;              // out: of the light, what is emitted
+    ColorArray emitted;              // out: the emitted part of the light
     VisiblePointArray visiblePoints; // out
     QueueSizeArray live;
-    UintArray rayCount; // in and out: shadow rays traced, of 64 bits; see lib/counter.glsl
+    UintArray rayCount; // in and out: shadow rays traced, 64 bits; see lib/counter.glsl
 };
 
 struct SampleRoughLightsArguments {
@@ -92,11 +92,11 @@ struct SampleRoughLightsArguments {
     ColorArray direct; // in and out, at RoughPoint.result: radiance [W/(m^2 sr)] is added
     uint count;
     uint lightCount;
-    uint light; // sample this one, or kNone: one picked in proportion to power
+    uint light; // the light to sample; kNone: one picked in proportion to power
     uint pass;
     uint rootNode;
     QueueSizeArray live;
-    UintArray rayCount; // in and out: shadow rays traced, of 64 bits; see lib/counter.glsl
+    UintArray rayCount; // in and out: shadow rays traced, 64 bits; see lib/counter.glsl
 };
 
 struct SampleLightsArguments {
@@ -104,27 +104,27 @@ struct SampleLightsArguments {
     MaterialArray materials;
     LightArray lights;
     RayArray shadowRays;      // out; tMax = 0: nothing to trace
-    ColorArray contributions; // out: radiance [W/(m^2 sr)] if the light is seen
+    ColorArray contributions; // out: radiance [W/(m^2 sr)] if the light is unoccluded
     uint count;
     uint lightCount;
-    uint light; // sample this one, or kNone: one picked by the lights' pmf
+    uint light; // the light to sample; kNone: one picked by the lights' pmf
     uint pass;
     uint maxDepth;
     uint bounceDepth; // 0: all of them, and nothing else brings their light; else those of this depth alone, from which
                       // paths go on and may meet the light too
-    uint width;       // where these are the pixels of a picture, its width [pixels]: see pixelOfThread; else 0
+    uint width;       // of the picture if the threads are its pixels [pixels], see pixelOfThread; else 0
     QueueSizeArray live;
-    CameraPathArray paths; // those whose pixels have the visible points; none: one visible point per thread
+    CameraPathArray paths; // paths whose pixels have the visible points; null: one visible point per thread
 };
 
-// Sends camera paths on from the diffuse surfaces where they have just ended.
+// Continues camera paths from the diffuse surfaces that they have just reached.
 struct BouncePathsArguments {
-    CameraPathArray paths;           // as they came to their hits
+    CameraPathArray paths;           // on arrival at their hits
     VisiblePointArray visiblePoints; // by pixel
     MaterialArray materials;
     RayArray nextRays;         // out, one per path
     CameraPathArray nextPaths; // out
-    UintArray alive;           // out: 1 where a ray goes on from a diffuse surface, else as it was
+    UintArray alive;           // out: 1 if a ray continues from a diffuse surface, else unchanged
     uint count;
     uint depth; // segments from the camera to the visible points
     uint maxDepth;
@@ -138,10 +138,10 @@ struct TraceShadowArguments {
     ColorArray direct; // in and out: the contributions of unoccluded rays are added
     uint count;
     uint rootNode;
-    uint width; // where these are the pixels of a picture, its width [pixels]: see pixelOfThread; else 0
+    uint width; // of the picture if the threads are its pixels [pixels], see pixelOfThread; else 0
     QueueSizeArray live;
-    UintArray rayCount;    // in and out: shadow rays traced, of 64 bits; see lib/counter.glsl
-    CameraPathArray paths; // those that the rays are for, whose pixels get the light; none: one pixel per ray
+    UintArray rayCount;    // in and out: shadow rays traced, 64 bits; see lib/counter.glsl
+    CameraPathArray paths; // paths of the shadow rays, whose pixels get the light; null: one pixel per ray
 };
 
 struct EmitPhotonsArguments {
@@ -150,7 +150,7 @@ struct EmitPhotonsArguments {
     PhotonPathArray paths; // out
     uint first;            // number of the first of these photons in the pass
     uint count;
-    uint ofPass; // photons of the whole pass, which share the lights' flux
+    uint ofPass; // number of photons of the whole pass, which share the lights' flux
     uint lightCount;
     uint sequence; // seed of the photons' samplers, see photonSampler
 };
@@ -175,7 +175,7 @@ struct ScatterPhotonArguments {
     MaterialArray materials;
     NormalArray normals;
     InstanceArray instances;
-    PhotonArray photons;       // out, at firstPhoton + what live counts before + thread; surface = kNone: none stored
+    PhotonArray photons;       // out, at firstPhoton + live.before + thread; surface = kNone: none stored
     PhotonFateArray fates;     // in and out, by number of the photon; unused without `account`
     RayArray nextRays;         // out
     PhotonPathArray nextPaths; // out
@@ -185,13 +185,13 @@ struct ScatterPhotonArguments {
     uint depth; // segments from the light to these hits
     uint maxDepth;
     uint sequence; // seed of the photons' samplers, see photonSampler
-    uint kinds;    // bit kPhoton… is set for every kind that is to be stored; paths that can store no more end
-    uint account;  // 1: keep account of what becomes of the flux
-    uint room;     // for photons: those beyond are left out
+    uint kinds;    // bit kPhoton… is set for every kind to store; paths that cannot store any more end
+    uint account;  // 1: account for where the flux goes
+    uint room;     // capacity in photons: photons beyond it are dropped
     QueueSizeArray live;
 };
 
-// Follows photons straight on, through whatever they meet.
+// Follows photons straight through every surface.
 struct CastShadowPhotonsArguments {
     RayArray rays;
     HitArray hits;
@@ -199,22 +199,22 @@ struct CastShadowPhotonsArguments {
     MaterialArray materials;
     NormalArray normals;
     InstanceArray instances;
-    PhotonArray photons;       // out, at firstPhoton + what live counts before + thread; surface = kNone: none stored
+    PhotonArray photons;       // out, at firstPhoton + live.before + thread; surface = kNone: none stored
     RayArray nextRays;         // out
     PhotonPathArray nextPaths; // out
     UintArray alive;           // out
     uint count;
     uint firstPhoton;
-    uint room; // for photons: those beyond are left out
+    uint room; // capacity in photons: photons beyond it are dropped
     QueueSizeArray live;
 };
 
-// Words of the record that a path of either kind carries, which is moved as it is.
+// Words of a camera or photon path record, which is moved as is.
 SHARED_CONSTANT kPathWords = 7u;
 
 struct CompactPathsArguments {
     UintArray alive;
-    UintArray offsets; // exclusive sums of alive
+    UintArray offsets; // exclusive prefix sums of alive
     RayArray nextRays;
     UintArray nextPaths; // kPathWords each
     RayArray rays;       // out
@@ -223,16 +223,16 @@ struct CompactPathsArguments {
     QueueSizeArray live;
 };
 
-// A prefix sum by one workgroup. Of a queue's flags, or of the sums of their chunks, it also finds out how large the
-// queue will be.
+// A prefix sum by one workgroup. For a queue's flags, or the sums of their chunks, it also computes the queue's next
+// size.
 struct ScanGroupArguments {
     UintArray values;
-    UintArray sums; // out: exclusive sums, count + 1 of them: the last is the total
+    UintArray sums; // out: exclusive sums, count + 1 values: the last is the total
     uint count;     // values
     QueueSizeArray live;
-    QueueSizeArray queue;   // the queue as it is; none: what follows is not written
-    QueueSizeArray next;    // out, kQueueLevels: the queue of the total
-    UintArray elementCount; // in and out: elements of the queue so far, of 64 bits; none: not counted
+    QueueSizeArray queue;   // the queue's present size; null: the following are not written
+    QueueSizeArray next;    // out, kQueueLevels: the queue's size from the total
+    UintArray elementCount; // in and out: elements of the queue so far, 64 bits; null: not counted
 };
 
 struct SumChunksArguments {
@@ -244,26 +244,26 @@ struct SumChunksArguments {
 
 struct ScanChunksArguments {
     UintArray values;
-    UintArray chunkOffsets; // what precedes each chunk
-    UintArray sums;         // out: exclusive sums, count + 1 of them: the last is the total
+    UintArray chunkOffsets; // sum of the values before each chunk
+    UintArray sums;         // out: exclusive sums, count + 1 values: the last is the total
     uint count;             // values
     QueueSizeArray live;
 };
 
 struct ListNextRaysArguments {
-    UintArray alive;        // by path: how many of its slots hold next rays, from the first on
-    UintArray chunkOffsets; // exclusive sums of these over chunks of kScanChunk
+    UintArray alive;        // by path: number of its slots that hold next rays, from the first on
+    UintArray chunkOffsets; // exclusive sums of alive over chunks of kScanChunk
     UintArray slots;        // out
     uint count;             // paths
     uint slotsOfPath;
-    uint room; // for slots: those beyond are left out
+    uint room; // capacity in slots: slots beyond it are dropped
     QueueSizeArray live;
 };
 
 struct CountCellsArguments {
     PhotonArray photons;
-    UintArray cellCounts; // in and out, zero before
-    UintArray ranks;      // out: how many photons came to the bucket before this one (any order)
+    UintArray cellCounts; // in and out, zero at first
+    UintArray ranks;      // out: number of photons that entered the bucket before this one (in any order)
     GridRecord grid;
     uint count; // photon slots
 };
@@ -299,14 +299,14 @@ struct GatherRadianceArguments {
     float radius; // search radius [m]
     uint count;
     uint maxDepth;
-    uint width; // where these are the pixels of a picture, its width [pixels]: see pixelOfThread; else 0
+    uint width; // of the picture if the threads are its pixels [pixels], see pixelOfThread; else 0
 };
 
-// Asks at every visible point; a depth of 0 there is no question.
+// Searches at every visible point; points of depth 0 are skipped.
 struct NearestPhotonsArguments {
     VisiblePointArray visiblePoints;
     PhotonMapRecord map;
-    UintArray found; // out, `nearest` for each point: slots of the photons, the nearest first; behind them kNone
+    UintArray found; // out, `nearest` for each point: slots of the photons, the nearest first, then kNone
     float radius;    // [m]; of a grid, at most the radius that it was built for
     uint nearest;    // photons to find, at most kNearestCapacity
     uint kinds;      // bit kPhoton… is set for every kind that counts
@@ -325,17 +325,16 @@ struct EstimateRadianceArguments {
     MaterialArray materials;
     PhotonMapRecord map;
     ColorArray gathered;  // out: radiance [W/(m^2 sr)]
-    FloatArray radii;     // out: radius of the disc that it comes from [m]; 0 where no light is gathered
+    FloatArray radii;     // out: radius of the estimate's disc [m]; 0 if no light is gathered
     float radius;         // of the largest disc [m]; of a grid, at most the radius that it was built for
     float filterConstant; // cone: k >= 1, the cone's radius over the disc's
-    float
-        maxChange; // relative change of the estimate, over discs that grow, at which they stop to; 0: they do not stop
-    uint nearest;  // photons to find, 2 … kNearestCapacity
-    uint kinds;    // bit kPhoton… is set for every kind that counts
-    uint filterKind; // kFilter…
+    float maxChange;      // relative change of the estimate at which a growing disc stops; 0: it does not stop
+    uint nearest;         // photons to find, 2 … kNearestCapacity
+    uint kinds;           // bit kPhoton… is set for every kind that counts
+    uint filterKind;      // kFilter…
     uint count;
     uint maxDepth;
-    uint width; // where these are the pixels of a picture, its width [pixels]: see pixelOfThread; else 0
+    uint width; // of the picture if the threads are its pixels [pixels], see pixelOfThread; else 0
 };
 
 // Starts final gathering: one ray from each visible point into its hemisphere.
@@ -349,22 +348,22 @@ struct StartGatherRaysArguments {
     uint pass; // gatherPass
 };
 
-// Makes visible points of the photons that are marked, so that their irradiance can be estimated.
+// Turns the marked photons into visible points, so that their irradiance can be estimated.
 struct BeginIrradianceArguments {
     PhotonArray photons;
-    VisiblePointArray visiblePoints; // out; depth = 0 where there is none
+    VisiblePointArray visiblePoints; // out; depth = 0: none
     uint count;                      // photon slots
 };
 
-// Turns the marked photons into records of irradiance.
+// Turns the marked photons into irradiance records.
 struct StoreIrradianceArguments {
     PhotonArray photons;
     ColorArray irradiance; // [W/m^2]
-    PhotonArray records;   // out; power is the irradiance; surface = kNone where there is none
+    PhotonArray records;   // out; power is the irradiance; surface = kNone: no record
     uint count;            // photon slots
 };
 
-// Adds the radiance that the nearest record of irradiance gives each visible point.
+// Adds the radiance at each visible point from the nearest irradiance record.
 struct LookUpIrradianceArguments {
     VisiblePointArray visiblePoints;
     MaterialArray materials;
@@ -375,32 +374,32 @@ struct LookUpIrradianceArguments {
     uint count;
 };
 
-// Decides which lights are seen from visible points, by the direct and shadow photons about them.
+// Decides which lights are visible from visible points, from the direct and shadow photons around them.
 struct ClassifyVisibilityArguments {
     VisiblePointArray visiblePoints;
-    UintArray lit;       // out: bit i is set where light i is seen
-    UintArray shadowed;  // out: bit i is set where it is not
+    UintArray lit;       // out: bit i is set if light i is visible
+    UintArray shadowed;  // out: bit i is set if light i is occluded
     PhotonMapRecord map; // of direct and shadow photons
     uint lightCount;
-    uint nearest;  // photons looked at
-    uint agreeing; // photons of a light that have to agree
-    float radius;  // none farther than this [m]
+    uint nearest;  // number of photons to search
+    uint agreeing; // number of photons of a light that must agree
+    float radius;  // search radius [m]
     uint count;
 };
 
-// Spares the shadow rays to a light whose visibility is known.
+// Skips the shadow rays to a light whose visibility is known.
 struct SkipShadowRaysArguments {
     UintArray lit;
     UintArray shadowed;
     RayArray shadowRays; // in and out; tMax = 0: nothing to trace
     ColorArray contributions;
     ColorArray direct;   // in and out
-    UintArray raysSaved; // in and out: of 64 bits, see lib/counter.glsl
+    UintArray raysSaved; // in and out: 64 bits, see lib/counter.glsl
     uint light;
     uint count;
 };
 
-// Draws photons as points: counts per pixel those that the camera sees.
+// Draws photons as points: counts those visible to the camera, per pixel.
 struct SplatPhotonsArguments {
     PhotonArray photons;
     UintArray counts; // in and out, four per pixel, by kind
@@ -409,7 +408,7 @@ struct SplatPhotonsArguments {
     uint rootNode;
 };
 
-// Adds what several paths of one pixel carry, in their order: the first path of each run of equal pixels adds them all.
+// Sums the light of the paths of each pixel, in order: the first path of each run of equal pixels adds the whole run.
 struct SumPathsArguments {
     UintArray pixels;    // of each path
     ColorArray light;    // of each path
@@ -418,7 +417,7 @@ struct SumPathsArguments {
     QueueSizeArray live;
 };
 
-// What gathering rays found, added to what their pixels gather.
+// Adds the light found by gathering rays to the gathered light of their pixels.
 struct AddGatheredLightArguments {
     ColorArray colors;
     ColorArray gathered; // in and out
@@ -429,11 +428,11 @@ struct AddGatheredLightArguments {
 struct AccumulateFilmArguments {
     ColorArray colors;
     FilmArray film;   // in and out: sums over passes
-    UintArray faults; // in and out, for each of kFilmFaults kinds: how many values, the lowest pixel among theirs
+    UintArray faults; // in and out, for each of kFilmFaults kinds: number of values and their lowest pixel
     uint count;       // pixels
 };
 
-// What show_surface draws of the first surface that a ray meets.
+// What show_surface draws of the first surface that a ray hits.
 SHARED_CONSTANT kShowNormals = 0u; // of shading, each coordinate from [-1, 1] to [0, 1]
 SHARED_CONSTANT kShowDepth = 1u;   // distance along the ray [m]
 
@@ -447,18 +446,18 @@ struct ShowSurfaceArguments {
     uint shown; // kShow…
 };
 
-// A layer's sums over the passes of either camera sequence.
+// The means over the passes of both camera sequences.
 struct ResolveFilmArguments {
     FilmArray first;
     FilmArray second;
-    ColorArray image; // out: both times scale
+    ColorArray image; // out: the sum of both, times scale
     uint count;
     float scale; // 1 / passes
 };
 
-SHARED_CONSTANT kErrorChunk = 64u; // so many pixels' relative squared errors one thread adds up, or one less
+SHARED_CONSTANT kErrorChunk = 64u; // pixels whose relative squared errors one thread sums, at most
 
-// How far the means over the passes of the two camera sequences say that their common mean is from the truth.
+// Estimates the error of the mean over all passes from the means of the two camera sequences.
 struct EstimateErrorArguments {
     FilmArray first; // sums over each sequence's passes, layer after layer
     FilmArray second;

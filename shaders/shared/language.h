@@ -1,5 +1,5 @@
-// Lets one header be read by the C++ compiler and by glslang: the same vector names on both sides, one way to declare
-// an array in device memory, and integer functions written once.
+// Lets the C++ compiler and glslang read the same header: the same vector names on both sides, one way to declare an
+// array in device memory, and integer functions written once.
 #ifndef HYALITE_SHARED_LANGUAGE_H
 #define HYALITE_SHARED_LANGUAGE_H
 
@@ -43,7 +43,7 @@ using glm::vec4;
 #define SHARED_FLOAT const float
 #ifdef HYALITE_CHECKED
 #include "lib/checked.glsl"
-// Of one element: what is added to an array is counted in elements, and so finds the one that is asked for.
+// Declared with one element: an offset added to an array is counted in elements and so addresses the right one.
 #define DEVICE_ARRAY(Type, Name)                                                                                       \
     layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Name {                                         \
         Type at[1];                                                                                                    \

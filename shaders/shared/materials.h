@@ -1,6 +1,6 @@
-// The list of BSDF models, for the kernels, the reference and the host alike. A new model is a number, the fields that
-// it reads, its rows in the lists and its file; besides this file it is shaders/bsdf/NAME.glsl, host/reference/bsdf/
-// NAME.cpp and host/kinds/materials/NAME.cpp.
+// The list of BSDF models, shared by the kernels, the reference and the host. A new model is a number, the fields that
+// it reads, its rows in the lists and its file; besides this file it is shaders/bsdf/NAME.glsl,
+// host/reference/bsdf/NAME.cpp and host/kinds/materials/NAME.cpp.
 #ifndef HYALITE_SHARED_MATERIALS_H
 #define HYALITE_SHARED_MATERIALS_H
 #include "language.h"
@@ -14,9 +14,9 @@ SHARED_CONSTANT kMaterialConductor = 4u;
 SHARED_CONSTANT kMaterialMetallicRoughness = 5u;
 SHARED_CONSTANT kMaterialCustom = 6u;
 SHARED_CONSTANT kMaterialClearCoat = 7u;
-SHARED_CONSTANT kMaterialRough = 31u; // not a model: set for a scene with at least one rough lobe
+SHARED_CONSTANT kMaterialRough = 31u; // not a model: set if the scene has a rough lobe
 
-// Every model.
+// All models.
 #define HYALITE_MODELS(ROW)                                                                                            \
     ROW(Diffuse, diffuse)                                                                                              \
     ROW(Mirror, mirror)                                                                                                \
@@ -26,13 +26,13 @@ SHARED_CONSTANT kMaterialRough = 31u; // not a model: set for a scene with at le
     ROW(Custom, custom)                                                                                                \
     ROW(ClearCoat, clearCoat)
 
-// Those with a diffuse part: their GLSL has NAMEAlbedo, NAMEOverDiffuse and NAMEMeanOverDiffuse.
+// Models with a diffuse part: their GLSL has NAMEAlbedo, NAMEOverDiffuse and NAMEMeanOverDiffuse.
 #define HYALITE_DIFFUSE_MODELS(ROW)                                                                                    \
     ROW(Diffuse, diffuse)                                                                                              \
     ROW(MetallicRoughness, metallicRoughness)                                                                          \
     ROW(ClearCoat, clearCoat)
 
-// Those with a lobe: their GLSL has NAMELobe and NAMEReflectance.
+// Models with a lobe: their GLSL has NAMELobe and NAMEReflectance.
 #define HYALITE_LOBE_MODELS(ROW)                                                                                       \
     ROW(Mirror, mirror)                                                                                                \
     ROW(Dielectric, dielectric)                                                                                        \
@@ -41,17 +41,17 @@ SHARED_CONSTANT kMaterialRough = 31u; // not a model: set for a scene with at le
     ROW(Custom, custom)                                                                                                \
     ROW(ClearCoat, clearCoat)
 
-// Of the latter, those with a second lobe, a coat over the rest: their GLSL has NAMECoat and NAMEOverLobe.
+// Models with a second lobe, a coat over the rest: their GLSL has NAMECoat and NAMEOverLobe.
 #define HYALITE_COATED_MODELS(ROW) ROW(ClearCoat, clearCoat)
 
-// What a surface may do with light that arrives on one side.
-SHARED_CONSTANT kBsdfDiffuse = 1u;  // reflects it into all directions; photons are stored and gathered there
+// Scattering types of a surface for light that arrives on one side.
+SHARED_CONSTANT kBsdfDiffuse = 1u;  // reflects light into all directions; photons are stored and gathered there
 SHARED_CONSTANT kBsdfGlossy = 2u;   // has a lobe with a density
-SHARED_CONSTANT kBsdfSpecular = 4u; // has a lobe without one: a mirror's
+SHARED_CONSTANT kBsdfSpecular = 4u; // has a lobe without a density, as a mirror
 SHARED_CONSTANT kBsdfTransmitting = 8u;
-SHARED_CONSTANT kBsdfLayered = 16u; // what reaches the diffuse part depends on the direction: something lies over it
+SHARED_CONSTANT kBsdfLayered = 16u; // a layer over the diffuse part: the transmitted light depends on the direction
 
-// The parameters of all models, each of which reads its own: floats on the device, doubles in a Scene.
+// The parameters of all models; each model reads its own. Floats on the device, doubles in a Scene.
 #ifdef __cplusplus
 template <class Scalar, class Color, class Vector4>
 struct MaterialFields {
@@ -72,10 +72,10 @@ struct MaterialRecord {
     Scalar coat;           // clear coat: share of the surface that it covers, [0, 1]
     Scalar coatRoughness;  // likewise: as roughness, of the coat
     Scalar coatIor;        // likewise: index of the coat over that outside, >= 1
-    Vector4 parameters;    // custom: of its function
+    Vector4 parameters;    // custom: parameters of its function
     uint function;         // custom: number of its function among the scene's
     uint colorTexture;     // multiplies `color`; kNone: none
-    uint roughnessTexture; // of those: green times roughness, blue times metallic; kNone: none
+    uint roughnessTexture; // green multiplies roughness, blue metallic; kNone: none
 };
 #ifdef __cplusplus
 using MaterialRecord = MaterialFields<float, vec3, vec4>;
@@ -89,7 +89,7 @@ DEVICE_ARRAY(MaterialRecord, MaterialArray);
 SHARED_END
 #endif
 
-// bsdf.glsl asks for the models themselves.
+// Only bsdf.glsl includes the models themselves.
 #ifdef HYALITE_BSDF_MODELS
 #include "bsdf/clear_coat.glsl"
 #include "bsdf/conductor.glsl"

@@ -1,24 +1,24 @@
-// How many elements a queue holds, as the device knows it: kernels read it, and the next stage is dispatched by it.
+// A queue's size on the device: kernels read it, and the next stage is dispatched by it.
 #ifndef HYALITE_SHARED_QUEUE_H
 #define HYALITE_SHARED_QUEUE_H
 #include "limits.h"
 #include "path_records.h"
 SHARED_BEGIN
 
-SHARED_CONSTANT kScanChunk = 128u; // values that one thread of a prefix sum adds up
+SHARED_CONSTANT kScanChunk = 128u; // values that one thread of a prefix sum adds
 
-// A number of elements, and the dispatch that has a thread for each, as vkCmdDispatchIndirect reads it.
+// A number of elements, and the dispatch with one thread for each, in the layout of vkCmdDispatchIndirect.
 struct QueueSize {
     uint count;
     uint groupsX;
     uint groupsY;
     uint groupsZ;
-    uint before; // elements that the queue held in the bounces before, all together
+    uint before; // total elements of the queue in all previous bounces
 };
 DEVICE_ARRAY(QueueSize, QueueSizeArray);
 
 // A queue has a size for every level of a prefix sum over it: its elements, chunks of kScanChunk of them, chunks of
-// these, and so on; four levels leave at most 2048 of 2^32.
+// these, and so on; four levels reduce 2^32 elements to at most 2048.
 SHARED_CONSTANT kQueueLevels = 4u;
 
 SHARED_FUNCTION uint chunksOf(uint count) {

@@ -1,7 +1,7 @@
-// Counter-based random numbers, the same bits in C++ and GLSL: a sampler names a sequence and a place in it, a
+// Counter-based random numbers, the same bits in C++ and GLSL: a sampler names a sequence and an index in it, a
 // dimension picks a pair of numbers there. The pairs are Owen-scrambled Sobol points, shuffled per dimension so that
-// dimensions pad one another [Burley20]; the second Sobol coordinate is Pascal's matrix mod 2, in five steps [Ahmed24].
-// Or they are independent of one another, hashes of their place: to measure what the Sobol points gain.
+// dimensions can be padded [Burley20]; the second Sobol coordinate is Pascal's matrix mod 2, in five steps [Ahmed24].
+// Alternatively they are independent hashes of their place, to measure the gain of the Sobol points.
 #ifndef HYALITE_SHARED_RANDOM_H
 #define HYALITE_SHARED_RANDOM_H
 #include "language.h"
@@ -28,7 +28,7 @@ SHARED_FUNCTION uint reverseBits(uint x) {
     return ((x & 0x55555555u) << 1u) | ((x & 0xaaaaaaaau) >> 1u);
 }
 
-// Owen scrambling of the bit-reversed x: each bit is flipped by a hash of the bits below it only (the improved
+// Owen scrambling of the bit-reversed x: a hash of the lower bits alone decides whether to flip each bit (the improved
 // Laine-Karras permutation of [Burley20], with constants found by N. Vegdahl).
 SHARED_FUNCTION uint scrambleReversed(uint x, uint seed) {
     x ^= x * 0x3d20adeau;
@@ -47,16 +47,16 @@ SHARED_FUNCTION uint pascal(uint x) {
     return x ^ ((x & 0xaaaaaaaau) >> 1u);
 }
 
-// The place of one path in its sequence.
+// One path's index in its sequence.
 struct Sampler {
-    uint seed;  // names the sequence; the lowest bit is the kind of its numbers
-    uint index; // place in it: successive indices fill the unit square evenly
+    uint seed;  // names the sequence; the lowest bit says which kind of numbers it has
+    uint index; // index in it: successive indices fill the unit square evenly
 };
 
 SHARED_CONSTANT kSobolNumbers = 0u;
 SHARED_CONSTANT kIndependentNumbers = 1u;
 
-// What all sequences of a picture are derived from. A type of its own, so that no bare number is taken for it.
+// The seed of all sequences of a picture. A distinct type, so that no plain number is mistaken for it.
 struct RenderSeed {
     uint sequence;
 };
@@ -68,16 +68,16 @@ SHARED_FUNCTION RenderSeed renderSeed(uint seed, uint numbers) {
     return s;
 }
 
-// The seed of one of a sequence's many children, of the same kind of numbers.
+// The seed of one of a sequence's many child sequences, with the same kind of numbers.
 SHARED_FUNCTION uint deriveSequence(uint sequence, uint value) {
     return (hashCombine(sequence, value) & ~1u) | (sequence & 1u);
 }
 
-// Camera paths: each pixel has kCameraSequences independent sequences, to which the passes are dealt by turns, so that
-// the means over the passes of each tell how far all of them may be from the truth.
+// Camera paths: each pixel has kCameraSequences independent sequences, which take turns with the passes; the means of
+// each over its passes give an estimate of the error.
 SHARED_CONSTANT kCameraSequences = 2u;
 
-// Of a path that carries `samplerSeed`, in a pass.
+// The sampler of a path with this `samplerSeed`, in a pass.
 SHARED_FUNCTION Sampler pathSampler(uint samplerSeed, uint pass) {
     Sampler s;
     s.seed = samplerSeed;
@@ -118,9 +118,9 @@ SHARED_FUNCTION uvec2 sampleBits(Sampler s, uint dimension) {
     return uvec2(x, y);
 }
 
-// Which pair of numbers a choice along a path uses. Vertices are counted from 0, the first hit.
-SHARED_CONSTANT kCameraPixel = 0u; // place in the pixel
-SHARED_CONSTANT kCameraLens = 1u;  // place on the lens
+// The dimension of each random decision along a path. Vertices are counted from 0, the first hit.
+SHARED_CONSTANT kCameraPixel = 0u; // position in the pixel
+SHARED_CONSTANT kCameraLens = 1u;  // position on the lens
 
 SHARED_FUNCTION uint cameraScatter(uint vertex) { // x: reflected or refracted, by lobe or diffuse part
     return 2u + 4u * vertex;
@@ -135,23 +135,23 @@ SHARED_FUNCTION uint cameraBounce(uint vertex) { // direction off a rough surfac
     return 5u + 4u * vertex;
 }
 
-// Final gathering: the rays from a visible point have a sequence of their own …
+// Final gathering: the rays from a visible point have their own sequence …
 SHARED_FUNCTION uint gatherSequence(uint samplerSeed) {
     return deriveSequence(samplerSeed, 64u);
 }
-// … and are passes of their own: those of a pass's sequence have the indices (index of the pass) rays + ray.
+// … and their own passes: the gather rays of a pass have the indices (index of the pass) rays + ray.
 SHARED_FUNCTION uint gatherPass(uint pass, uint rays, uint ray) {
     return (pass / kCameraSequences * rays + ray) * kCameraSequences + pass % kCameraSequences;
 }
 SHARED_CONSTANT kGatherDirection = 0u;
 
-// Path tracing goes on from diffuse surfaces, with dimensions beyond those of the longest path above.
+// Path tracing continues from diffuse surfaces, with dimensions beyond those of the longest path above.
 SHARED_CONSTANT kPathFirst = 1024u;
 
 SHARED_FUNCTION uint pathBounce(uint vertex) { // direction after a diffuse reflection
     return kPathFirst + 8u * vertex;
 }
-SHARED_FUNCTION uint pathRoulette(uint vertex) { // x: does the path go on
+SHARED_FUNCTION uint pathRoulette(uint vertex) { // x: does the path survive
     return kPathFirst + 8u * vertex + 1u;
 }
 

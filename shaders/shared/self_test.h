@@ -1,10 +1,10 @@
-// What self_test.comp reads and answers, and the numbers that host and device each compute for themselves.
+// Input and output of self_test.comp, and the functions that host and device each evaluate.
 #ifndef HYALITE_SHARED_SELF_TEST_H
 #define HYALITE_SHARED_SELF_TEST_H
 #include "language.h"
 SHARED_BEGIN
 
-// More rounds than lavapipe before Mesa 23 gives a loop: there it ends silently after 65 535.
+// More rounds than lavapipe before Mesa 23 gives a loop: its loops end silently after 65 535.
 SHARED_CONSTANT kSelfTestRounds = 100000u;
 
 // Threads, records and texels of the test: two workgroups.
@@ -16,7 +16,7 @@ SHARED_FUNCTION uint selfTestRound(uint x) {
     return x * 1664525u + 1013904223u;
 }
 
-// A struct whose members stand elsewhere under std430 rules.
+// A struct whose members have other offsets under std430 rules.
 struct SelfTestRecord {
     uint first;
     vec3 second;

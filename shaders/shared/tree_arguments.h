@@ -1,4 +1,5 @@
-// The push constants of the kernels that sort photons into a kd-tree, in their order; see kernel_arguments.h.
+// The push constants of the kernels that sort photons into a kd-tree, in the order of the kernels; see
+// kernel_arguments.h.
 #ifndef HYALITE_SHARED_TREE_ARGUMENTS_H
 #define HYALITE_SHARED_TREE_ARGUMENTS_H
 #include "photon_map.h"
@@ -6,14 +7,14 @@ SHARED_BEGIN
 
 struct MarkPhotonsArguments {
     PhotonArray photons;
-    UintArray marks; // out: 1 where a photon is stored, else 0
+    UintArray marks; // out: 1 if the slot holds a photon, else 0
     uint count;      // photon slots
 };
 
-// A photon on one of the three lists from which a kd-tree is made. Photons are numbered by slot, without the empty
-// ones.
+// A photon on one of the three lists from which the kd-tree is built. Stored photons are numbered by slot, skipping
+// empty ones.
 struct KeyedPhoton {
-    uvec3 key; // its coordinates, as numbers of the same order
+    uvec3 key; // its coordinates, as integers of the same order
     uint photon;
 };
 DEVICE_ARRAY(KeyedPhoton, KeyedPhotonArray);
@@ -29,7 +30,7 @@ struct KeyPhotonsArguments {
 };
 
 SHARED_CONSTANT kRadix = 256u;      // values of one digit of the radix sort
-SHARED_CONSTANT kSortChunk = 1024u; // photons that one of its threads counts and moves
+SHARED_CONSTANT kSortChunk = 1024u; // photons that one thread of the sort counts and moves
 
 struct CountDigitsArguments {
     UintPairArray pairs;
@@ -42,7 +43,7 @@ struct CountDigitsArguments {
 struct SortDigitsArguments {
     UintPairArray pairs;
     UintArray places;       // in and out: exclusive sums of the counts
-    UintPairArray sorted;   // out, but for the last round
+    UintPairArray sorted;   // out, except in the last round
     KeyedPhotonArray keys;  // for the last round
     KeyedPhotonArray lists; // out, in the last round: the photons along each axis
     uint count;             // three times the chunks of a list
@@ -51,12 +52,12 @@ struct SortDigitsArguments {
     uint last; // 1: the last round
 };
 
-SHARED_CONSTANT kSplitChunk = 256u; // photons of a node's list that one thread parts
+SHARED_CONSTANT kSplitChunk = 256u; // photons of a node's list that one thread partitions
 
 struct SplitNodesArguments {
     KeyedPhotonArray lists;
-    KeyedPhotonArray splits; // out, by node of the level: what splits it
-    UintArray nodes;         // out, in heap order: the photon that splits, and the axis above kSplitAxisShift
+    KeyedPhotonArray splits; // out, by node of the level: the splitting photon
+    UintArray nodes;         // out, in heap order: the splitting photon, and the axis above kSplitAxisShift
     uint count;              // nodes of the level
     uint level;
     uint stored;
@@ -87,7 +88,7 @@ struct PartSidesArguments {
 
 struct FinishSubtreesArguments {
     KeyedPhotonArray lists;  // in and out
-    KeyedPhotonArray others; // as much room
+    KeyedPhotonArray others; // scratch space of the same size
     UintArray nodes;         // out, see SplitNodesArguments
     uint count;              // subtrees: nodes of the level
     uint level;

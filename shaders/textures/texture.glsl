@@ -1,4 +1,4 @@
-// Textures: what they are at a point of a surface, and the materials that they colour.
+// Textures: their values at surface points, and the materials that they colour.
 #ifndef HYALITE_TEXTURE_GLSL
 #define HYALITE_TEXTURE_GLSL
 #include "textures/custom_texture.glsl"
@@ -6,21 +6,21 @@
 #include "lib/specialization.glsl"
 #include "lib/tables.glsl"
 
-// Cells of a checker in the world begin this share of a cell before the multiples of its edge: a surface that lies in
-// such a plane is of one colour, whatever the rounding.
+// Cells of a world-space checker are shifted by this share of a cell from the multiples of their edge: a surface in
+// such a plane has one colour, whatever the rounding.
 const float kCheckerShift = 0.0009765625; // 2^-10
 
 bool isOdd(float whole) {
     return whole != 2.0 * floor(0.5 * whole);
 }
 
-// A texel of an image that repeats; `at` is at most one image away.
+// A texel of a repeating image; `at` is at most one image away.
 vec3 imageTexel(uint first, ivec2 size, ivec2 at) {
     at += mix(ivec2(0), size, lessThan(at, ivec2(0))) - mix(ivec2(0), size, greaterThanEqual(at, size));
     return texelFetch(textureTable, int(first) + at.y * size.x + at.x).xyz;
 }
 
-// Bilinear between the middles of the texels; row 0 is on top, v points up.
+// Bilinear interpolation between texel centres; row 0 is on top, v points up.
 vec3 imageAt(uint first, ivec2 size, vec2 uv) {
     vec2 inImage = uv - floor(uv);
     vec2 place = vec2(inImage.x, 1.0 - inImage.y) * vec2(size) - 0.5;

@@ -74,10 +74,10 @@ class Parts(CheckpointTest):
         with open(shaders / "lib/thread.glsl", "a", encoding="utf-8") as file:
             file.write("// another text\n")
         self.render(*common, "--passes", "2:3", "--shaders", "shaders", "--checkpoint", "shaders-part")
-        for part, words in {"b": ["passes 1:2 are there twice"], "a": ["passes 0:2 are there twice"],
-                            "seed": ["another render", "render.seed is 9 there and 1 here"],
-                            "camera": ["another render", "camera.fov is 50 there and 39.3 here"],
-                            "shaders-part": ["another render", "the shaders' hash"]}.items():
+        for part, words in {"b": ["passes 1:2 occur twice"], "a": ["passes 0:2 occur twice"],
+                            "seed": ["different render", "render.seed is 9 there and 1 here"],
+                            "camera": ["different render", "camera.fov is 50 there and 39.3 here"],
+                            "shaders-part": ["different render", "the shaders' hash"]}.items():
             with self.subTest(part):
                 self.assert_refused(BAD_INPUT, words, ["merge", "a", part, "-o", "a.exr"])
 
@@ -104,7 +104,7 @@ class Files(CheckpointTest):
         self.assert_refused(OUTPUT, ["no/kept"], ["render", "scene.yaml", "--checkpoint", "no/kept"])
 
     def test_a_checkpoint_of_another_render_is_refused(self):
-        self.assert_refused(BAD_INPUT, ["another render", "render.photons is 100 there and 200 here"],
+        self.assert_refused(BAD_INPUT, ["different render", "render.photons is 100 there and 200 here"],
                             ["render", "scene.yaml", "--photons", "200", "--checkpoint", "kept", "--resume"])
 
     def test_a_damaged_checkpoint_is_refused(self):

@@ -15,12 +15,12 @@ namespace {
 
 using gpu::StructMember;
 
-// NumPy's name of a GLSL type, and how many of it there are.
+// NumPy's name for a GLSL type, and its number of components.
 struct NumpyType {
     std::string name;
     int components = 1;
 
-    // As an entry of a structured type's description.
+    // The type as an entry of a structured type's description.
     [[nodiscard]] std::string entry(const std::string& field) const {
         const std::string shape = components > 1 ? ", (" + std::to_string(components) + ",)" : "";
         return "('" + field + "', '" + name + '\'' + shape + ')';
@@ -28,7 +28,7 @@ struct NumpyType {
 };
 
 NumpyType numpyType(const StructMember& member) {
-    if (member.isArray) { // an address
+    if (member.isArray) { // a device address
         return {"<u8", 1};
     }
     const std::string& type = member.type;
@@ -78,7 +78,7 @@ const StructMember& findMember(const std::vector<StructMember>& members, const s
     return *found;
 }
 
-// The struct of the push constants: the kernel's own.
+// The members of the kernel's push constants.
 const std::vector<StructMember>& argumentsOf(const gpu::Kernel& kernel) {
     for (const auto& [name, members] : kernel.interface().structs) {
         if (name.ends_with("Arguments")) {
@@ -95,7 +95,7 @@ std::string tuple(std::size_t count, int components) {
 void dump(const gpu::Context& context, const gpu::Dispatch& dispatch, const DumpRequest& request) {
     const gpu::KernelInterface& interface = dispatch.kernel.interface();
     const auto& arguments = argumentsOf(dispatch.kernel);
-    // Names of arrays may hold dots themselves, as in map.order
+    // Array names may themselves contain dots, as in map.order
     std::string arrayName = request.field;
     const bool isWhole = std::ranges::find(arguments, arrayName, &StructMember::name) != arguments.end();
     std::string memberName;
@@ -108,7 +108,7 @@ void dump(const gpu::Context& context, const gpu::Dispatch& dispatch, const Dump
     std::memcpy(&address, dispatch.arguments.data() + array.offset, sizeof(address));
     const std::span<const std::byte> memory = context.memoryAt(address);
     const auto record = interface.structs.find(array.type);
-    if (record == interface.structs.end()) { // of numbers or vectors
+    if (record == interface.structs.end()) { // an array of numbers or vectors
         const NumpyType type = numpyType({array.name, 0, 0, array.type, false});
         const std::size_t stride = interface.arrayStrides.at(array.type);
         const std::size_t count = memory.size() / stride;
@@ -147,7 +147,7 @@ void dump(const gpu::Context& context, const gpu::Dispatch& dispatch, const Dump
 DumpRequest dumpRequest(const std::string& text) {
     const std::size_t colon = text.find(':');
     if (colon == 0 || colon == std::string::npos || colon + 1 == text.size()) {
-        throw Error(ExitCode::WrongUsage, "--dump " + text + " names no stage and field",
+        throw Error(ExitCode::WrongUsage, "--dump " + text + " does not name a stage and a field",
                     "write --dump STAGE:FIELD, e.g. trace_closest:hits.t");
     }
     DumpRequest request{.stage = text.substr(0, colon), .field = text.substr(colon + 1), .dispatch = 0, .file = {}};
@@ -157,15 +157,15 @@ DumpRequest dumpRequest(const std::string& text) {
         request.field.resize(at);
         const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), request.dispatch);
         if (error != std::errc() || end != number.data() + number.size() || request.field.empty()) {
-            throw Error(ExitCode::WrongUsage, "--dump " + text + ": '" + number + "' is no number of a dispatch",
-                        "they count from 0");
+            throw Error(ExitCode::WrongUsage, "--dump " + text + ": '" + number + "' is not a dispatch number",
+                        "dispatches count from 0");
         }
         name += request.field + '.' + number;
     } else {
         name += request.field;
     }
-    if (text.find('/') != std::string::npos) { // no name of a file in another folder
-        throw Error(ExitCode::WrongUsage, "--dump " + text + ": neither stages nor fields have a '/' in their names");
+    if (text.find('/') != std::string::npos) { // the file must not be in another folder
+        throw Error(ExitCode::WrongUsage, "--dump " + text + ": stage and field names do not contain '/'");
     }
     request.file = name + ".npy";
     return request;
@@ -190,7 +190,7 @@ void BufferDump::checkComplete() const {
                 names += (names.empty() ? "" : ", ") + name;
             }
             throw Error(ExitCode::WrongUsage, "no kernel named '" + request.stage + "' runs in this render",
-                        "those that do: " + names);
+                        "kernels that do: " + names);
         }
         if (request.dispatch >= found->second) {
             throw Error(ExitCode::WrongUsage, '\'' + request.stage + "' is dispatched " +

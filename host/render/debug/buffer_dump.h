@@ -1,4 +1,5 @@
-// Takes device arrays out of a render as NumPy files: what a kernel read or wrote, right after a dispatch of it.
+// Writes device arrays of a render as NumPy files: the arrays that a kernel reads or writes, right after one of its
+// dispatches.
 #pragma once
 
 #include "gpu/context.h"
@@ -12,9 +13,9 @@
 namespace hyalite::render {
 
 struct DumpRequest {
-    std::string stage;          // kernel
-    std::string field;          // of its arguments, e.g. "hits" for whole records or "hits.t" for a member of each
-    std::uint32_t dispatch = 0; // of the stage, from 0
+    std::string stage; // kernel
+    std::string field; // a field of its arguments, e.g. "hits" for whole records or "hits.t" for a member of each
+    std::uint32_t dispatch = 0; // number of the stage's dispatch, from 0
     std::filesystem::path file; // .npy
 };
 
@@ -24,15 +25,15 @@ struct DumpRequest {
 
 class BufferDump final : public gpu::DispatchObserver {
 public:
-    // A reference is kept.
+    // Keeps a reference to the context.
     BufferDump(const gpu::Context& context, std::vector<DumpRequest> requests)
         : context_(context), requests_(std::move(requests)) {}
 
     void before(const gpu::Dispatch& /*dispatch*/) override {}
-    // Throws Error(WrongUsage) where the stage has no such field, Error(OutputNotWritten).
+    // Throws Error(WrongUsage) if the stage has no such field, Error(OutputNotWritten).
     void after(const gpu::Dispatch& dispatch) override;
 
-    // Throws Error(WrongUsage) where a stage did not run, or not so often.
+    // Throws Error(WrongUsage) if a stage did not run, or not often enough.
     void checkComplete() const;
 
 private:

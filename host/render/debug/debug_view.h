@@ -1,5 +1,5 @@
-// Pictures of what a scene is rather than of its light: normals, distances, lengths of paths. Each of the first pass
-// alone, as further ones would blur it.
+// Pictures of the scene rather than its light: normals, distances, path lengths. Only the first pass is drawn, because
+// further passes would blur it.
 #pragma once
 
 #include "render/integrators/integrator.h"
@@ -8,8 +8,8 @@
 namespace hyalite::render {
 
 enum class DebugQuantity {
-    Normals, // of shading, where rays meet a surface first: from [-1, 1] to [0, 1]
-    Depth,   // how far away that is [m]; 0: nothing there
+    Normals, // shading normals at the first hits: from [-1, 1] to [0, 1]
+    Depth,   // distance of the first hit [m]; 0: no hit
     Bounces, // segments from the camera to the first diffuse surface; 0: none was found
 };
 

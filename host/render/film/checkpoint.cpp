@@ -1,6 +1,6 @@
 // The file: a header of fixed size, the identity, the names of the layers and the counts as lines of text, the ranges
-// of passes, the faults, the sums word by word (little-endian; a plane of high words that are all zero is left out),
-// and a checksum.
+// of passes, the faults, the sums word by word (little-endian; a plane of high words that are all zero is omitted), and
+// a checksum.
 #include "render/film/checkpoint.h"
 
 #include "base/error.h"
@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::array<char, 8> kMagic{'h', 'y', 'a', 'c', 'h', 'k', 'p', '2'};
 
-// More than a picture of the largest size in five layers takes.
+// More than the largest picture with five layers takes.
 constexpr std::size_t kLargestFile = std::size_t{1} << 38U;
 
 constexpr std::uint32_t kMostLayers = 64;
@@ -43,7 +43,7 @@ static_assert(sizeof(FilmFault) == 16 && sizeof(PassRange) == 8);
 constexpr std::uint32_t kWordsPerColor = sizeof(shared::FilmColor) / sizeof(std::uint32_t);
 constexpr std::uint32_t kWordsPerSum = 3;
 
-// "scene NAME", "layer NAME 0|1", "set NAME=VALUE", "count KEY=NUMBER", one a line.
+// "scene NAME", "layer NAME 0|1", "set NAME=VALUE", "count KEY=NUMBER", one per line.
 std::string textOf(const Checkpoint& checkpoint) {
     std::string text = "scene " + checkpoint.identity.scene + '\n';
     for (const LayerKind& layer : checkpoint.film.layers) {
@@ -58,7 +58,7 @@ std::string textOf(const Checkpoint& checkpoint) {
     return text;
 }
 
-// Word `word` of the sums of a layer: three channels a pixel.
+// Word `word` of a layer's sums: three channels per pixel.
 std::vector<std::uint32_t> plane(std::span<const shared::FilmColor> sums, std::uint32_t word) {
     std::vector<std::uint32_t> words;
     words.reserve(3 * sums.size());
@@ -71,7 +71,7 @@ std::vector<std::uint32_t> plane(std::span<const shared::FilmColor> sums, std::u
     return words;
 }
 
-// Reads a file from its beginning; what it does not hold is an error.
+// Reads a file from its beginning; fails if it ends too early.
 class Cursor {
 public:
     Cursor(std::span<const std::byte> content, const std::string& name) : left_(content), name_(name) {}
@@ -82,7 +82,7 @@ public:
 
     std::span<const std::byte> bytes(std::size_t count) {
         if (count > left_.size()) {
-            fail("the checkpoint is cut off");
+            fail("checkpoint is corrupt: the file is truncated");
         }
         const auto taken = left_.first(count);
         left_ = left_.subspan(count);
@@ -90,9 +90,10 @@ public:
     }
     template <class T>
     std::vector<T> array(std::size_t count) {
-        const auto from = bytes(std::min(count, left_.size()) * sizeof(T)); // no overflow: one byte each at least
+        const auto from =
+            bytes(std::min(count, left_.size()) * sizeof(T)); // no overflow: each value takes at least one byte
         std::vector<T> values(count);
-        if (count > 0) { // nothing may not be copied from nowhere
+        if (count > 0) { // memcpy forbids a null source even for zero bytes
             std::memcpy(values.data(), from.data(), from.size());
         }
         return values;
@@ -111,12 +112,12 @@ private:
 void readCount(const std::string& key, const std::string& number, const Cursor& cursor, Counts& counts) {
     const auto row = std::ranges::find(kCounters, key, &CounterRow::key);
     if (row == kCounters.end()) {
-        cursor.fail("this checkpoint was written by another version of the program");
+        cursor.fail("checkpoint is from a different version of the program");
     }
     const char* const end = number.data() + number.size();
     const auto read = std::from_chars(number.data(), end, counts[row->counter]);
     if (read.ec != std::errc() || read.ptr != end) {
-        cursor.fail("the checkpoint is damaged");
+        cursor.fail("checkpoint is corrupt: invalid content");
     }
 }
 
@@ -133,13 +134,13 @@ void readText(const std::string& text, const Cursor& cursor, Checkpoint& checkpo
             checkpoint.film.layers.push_back({rest.substr(0, rest.size() - 2), rest.ends_with(" 1")});
         } else if (kind == "set" && equals != std::string::npos) {
             const std::string name = rest.substr(0, equals);
-            // As files name it that were written before all names came from the table of settings
+            // The name in files that were written before the table of settings named every setting
             checkpoint.identity.settings.emplace_back(name == "integrator" ? "render.integrator" : name,
                                                       rest.substr(equals + 1));
         } else if (kind == "count" && equals != std::string::npos) {
             readCount(rest.substr(0, equals), rest.substr(equals + 1), cursor, checkpoint.counts);
         } else {
-            cursor.fail("the checkpoint is damaged");
+            cursor.fail("checkpoint is corrupt: invalid content");
         }
     }
 }
@@ -147,7 +148,7 @@ void readText(const std::string& text, const Cursor& cursor, Checkpoint& checkpo
 void readSums(Cursor& cursor, std::span<shared::FilmColor> sums) {
     const std::size_t words = 3 * sums.size();
     const auto present = cursor.value<std::uint32_t>();
-    // The low plane is always there: without it a short file could ask for much memory
+    // The low plane is always present: otherwise a short file could request much memory
     std::array<std::vector<std::uint32_t>, kWordsPerSum> planes;
     for (std::uint32_t word = 0; word < kWordsPerSum; ++word) {
         if (word == 0 || (present >> word & 1U) != 0) {
@@ -169,10 +170,10 @@ void readPasses(Cursor& cursor, std::uint32_t ranges, PassSet& passes) {
     std::uint64_t from = 0;
     for (const PassRange& range : cursor.array<PassRange>(ranges)) {
         if (range.begin < from || range.end <= range.begin) {
-            cursor.fail("the checkpoint is damaged");
+            cursor.fail("checkpoint is corrupt: invalid content");
         }
         passes.add(range);
-        from = std::uint64_t{range.end} + 1; // ranges that touch are one
+        from = std::uint64_t{range.end} + 1; // adjacent ranges would be one
     }
 }
 
@@ -223,19 +224,19 @@ void writeCheckpoint(const std::filesystem::path& path, const Checkpoint& checkp
 Checkpoint parseCheckpoint(std::span<const std::byte> content, const std::string& name) {
     Cursor cursor(content, name);
     if (content.size() < sizeof(Header) + sizeof(std::uint64_t)) {
-        cursor.fail("this is no checkpoint");
+        cursor.fail("not a checkpoint file");
     }
     const auto header = cursor.value<Header>();
     if (!std::equal(kMagic.begin(), kMagic.end() - 1, header.magic.begin())) {
-        cursor.fail("this is no checkpoint");
+        cursor.fail("not a checkpoint file");
     }
     if (header.magic != kMagic) {
-        cursor.fail("this checkpoint was written by another version of the program");
+        cursor.fail("checkpoint is from a different version of the program");
     }
     std::uint64_t checksum = 0;
     std::memcpy(&checksum, content.last(sizeof checksum).data(), sizeof checksum);
     if (checksum != fnv(content.first(content.size() - sizeof checksum))) {
-        cursor.fail("the checkpoint is damaged: its checksum is another");
+        cursor.fail("checkpoint is corrupt: checksum mismatch");
     }
     Checkpoint checkpoint;
     checkpoint.seconds = header.seconds;
@@ -246,13 +247,13 @@ Checkpoint parseCheckpoint(std::span<const std::byte> content, const std::string
     readPasses(cursor, header.ranges, film.passes);
     const std::uint64_t pixels = std::uint64_t{film.resolution.x} * film.resolution.y;
     if (header.layers != film.layers.size() || header.layers == 0 || header.layers > kMostLayers || pixels == 0 ||
-        header.ranges == 0 || pixels > content.size()) { // each pixel takes some bytes
-        cursor.fail("the checkpoint is damaged");
+        header.ranges == 0 || pixels > content.size()) { // each pixel takes at least a byte
+        cursor.fail("checkpoint is corrupt: invalid content");
     }
     film.faults = cursor.array<FilmFault>(film.layers.size() * shared::kFilmFaults);
-    // The low words alone take a third of what the sums do
+    // The low words alone take a third of the sums' size
     if (pixels * header.layers > content.size()) {
-        cursor.fail("the checkpoint is cut off");
+        cursor.fail("checkpoint is corrupt: the file is truncated");
     }
     for (std::vector<shared::FilmColor>& sums : film.sums) {
         sums.resize(header.layers * pixels);
@@ -262,7 +263,7 @@ Checkpoint parseCheckpoint(std::span<const std::byte> content, const std::string
     }
     static_cast<void>(cursor.bytes(sizeof checksum));
     if (!cursor.isAtEnd()) {
-        cursor.fail("the checkpoint is damaged: it is longer than it should be");
+        cursor.fail("checkpoint is corrupt: the file is longer than its content");
     }
     return checkpoint;
 }
@@ -282,12 +283,12 @@ void addCheckpoint(Checkpoint& whole, const Checkpoint& part, const std::string&
     };
     if (!differs.empty() || part.film.resolution != whole.film.resolution ||
         !std::ranges::equal(part.film.layers, whole.film.layers, sameLayer)) {
-        fail("these passes are of another render: " + (differs.empty() ? "its layers are others" : differs),
-             "parts that are put together have to be of one scene, with the same settings and shaders");
+        fail("from a different render: " + (differs.empty() ? "the layers differ" : differs),
+             "merged parts must have the same scene, settings and shaders");
     }
     for (const PassRange& range : part.film.passes.ranges()) {
         if (const auto common = whole.film.passes.common(range)) {
-            fail("passes " + PassSet({*common}).text() + " are there twice", "leave one of the parts out");
+            fail("passes " + PassSet({*common}).text() + " occur twice", "omit one of the parts");
         }
     }
     addFilm(whole.film, part.film);

@@ -1,5 +1,4 @@
-// What a render has done so far, in a file that it can go on from. Parts of one render, wherever they were made, add
-// up.
+// A render's progress in a file, from which it can resume. Parts of one render, made on any machines, can be merged.
 #pragma once
 
 #include "render/film/counts.h"
@@ -15,20 +14,21 @@ struct Checkpoint {
     RenderIdentity identity;
     FilmState film;
     Counts counts;      // over all its passes
-    double seconds = 0; // that its passes took
+    double seconds = 0; // time that its passes took [s]
 };
 
-// In one step (writeFileAtomically). Throws Error(OutputNotWritten).
+// Writes atomically (writeFileAtomically). Throws Error(OutputNotWritten).
 void writeCheckpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
-// Throws Error(BadInput) for what is no checkpoint or is damaged.
+// Throws Error(BadInput) if the file is not a checkpoint or is corrupt.
 [[nodiscard]] Checkpoint readCheckpoint(const std::filesystem::path& path);
 
-// The same of a file's content; `name` is the file in messages. Takes no more memory than some times the content.
+// The same for a file's content; `name` names the file in messages. Memory use is at most a small multiple of the
+// content.
 [[nodiscard]] Checkpoint parseCheckpoint(std::span<const std::byte> content, const std::string& name);
 
-// Adds the passes of `part` to `whole`. Throws Error(BadInput), naming the file `name` of the part, where they are of
-// another render or overlap.
+// Adds the passes of `part` to `whole`. Throws Error(BadInput), naming the part's file `name`, if they are from a
+// different render or overlap.
 void addCheckpoint(Checkpoint& whole, const Checkpoint& part, const std::string& name);
 
 } // namespace hyalite::render

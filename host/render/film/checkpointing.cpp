@@ -18,7 +18,7 @@ void Checkpointing::resume(Device& device, Film& film) {
     if (!differs.empty() || found.film.resolution != film.resolution() ||
         !std::ranges::equal(found.film.layers, film.layers(), sameLayer)) {
         throw Error(ExitCode::BadInput, SourceLocation{options_.file.string()},
-                    "the checkpoint is of another render: " + (differs.empty() ? "its layers are others" : differs),
+                    "checkpoint is from a different render: " + (differs.empty() ? "the layers differ" : differs),
                     "render with the same scene, settings and shaders, or name another --checkpoint");
     }
     film.restore(device, found.film);

@@ -1,5 +1,5 @@
-// What is counted while a render runs. A new counter is one name and one row here: sums, checkpoints and both forms of
-// the report follow from the table.
+// Counters of a render. A new counter is one name and one row here: sums, checkpoints and both forms of the report
+// follow from the table.
 #pragma once
 
 #include <array>
@@ -35,18 +35,18 @@ inline constexpr std::array kCounters{
     CounterRow{Counter::PhotonRays, "photon_rays", "photon rays"},
     CounterRow{Counter::PhotonsEmitted, "photons_emitted", "photons emitted"},
     CounterRow{Counter::PhotonsStored, "photons_stored", "photons stored"},
-    // Answered by shadow photons
+    // Shadow rays that shadow photons replaced
     CounterRow{Counter::ShadowRaysSaved,
                "shadow_rays_saved",
                "shadow rays saved",
                {Counter::ShadowRays, Counter::ShadowRaysSaved}},
-    // For the caustics alone
+    // Caustic map only
     CounterRow{Counter::CausticPhotonsEmitted, "caustic_photons_emitted", "caustic photons emitted"},
     CounterRow{Counter::CausticPhotonsStored,
                "caustic_photons_stored",
                "caustic photons stored",
                {Counter::CausticPhotonsEmitted}},
-    // Of the camera rays, those of final gathering: what render.gather_rays costs
+    // Part of the camera rays: those of final gathering, the cost of render.gather_rays
     CounterRow{Counter::GatheringRays, "gathering_rays", "gathering rays", {Counter::CameraRays}},
 };
 
@@ -61,7 +61,7 @@ static_assert(
     }(),
     "rows are in the order of the names");
 
-// Over all passes so far; all zero at first.
+// Sums over all passes so far; all zero at first.
 class Counts {
 public:
     [[nodiscard]] std::uint64_t& operator[](Counter counter) { return values_.at(static_cast<std::size_t>(counter)); }

@@ -10,7 +10,7 @@ namespace hyalite::render {
 
 namespace {
 
-// How many, and the lowest pixel among none.
+// Number of faults and their lowest pixel; at first none.
 constexpr glm::uvec2 kNoFault{0, shared::kNone};
 
 } // namespace
@@ -112,7 +112,7 @@ FilmState Film::state() const {
 }
 
 void Film::restore(Device& device, const FilmState& state) {
-    device.commands.finish(); // the sums are cleared
+    device.commands.finish(); // waits until the sums are cleared
     for (std::size_t sequence = 0; sequence < sums_.size(); ++sequence) {
         sums_.at(sequence).write(state.sums.at(sequence));
     }

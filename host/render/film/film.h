@@ -1,4 +1,4 @@
-// The sums over passes that become the picture, one per layer and camera sequence, and what they say of its error.
+// The sums over passes that make the picture, one per layer and camera sequence, and the error estimate from them.
 #pragma once
 
 #include "image/layered_image.h"
@@ -18,11 +18,12 @@ public:
 
     [[nodiscard]] std::uint32_t pixelCount() const { return resolution_.x * resolution_.y; }
 
-    // What is added from now on belongs to this pass, until it ends; at first, to pass 0.
+    // Everything added from now on belongs to this pass, until it ends; at first, to pass 0.
     void beginPass(std::uint32_t pass) { pass_ = pass; }
-    void endPass(); // when the device has finished
+    void endPass(); // call when the device has finished
 
-    // Adds one colour per pixel to a layer; values that are no radiance are counted and left out.
+    // Adds one colour per pixel to a layer; invalid values (NaN, infinite, negative, too bright) are counted and left
+    // out.
     void add(Device& device, std::size_t layer, const gpu::Array<glm::vec3>& colors);
 
     [[nodiscard]] glm::uvec2 resolution() const { return resolution_; }
@@ -30,14 +31,14 @@ public:
     [[nodiscard]] const std::vector<LayerKind>& layers() const { return layers_; }
     [[nodiscard]] const std::vector<FilmFault>& faults() const { return faults_; }
 
-    // The means over the passes, of which there is one at least, and their standard error.
+    // The means over the passes, of which there must be at least one, and their standard error.
     [[nodiscard]] LayeredImage resolve(Device& device);
 
-    // Root of the mean over pixels and channels of Var / (mean^2 + 0.01), Var the estimated variance of the mean over
-    // the passes so far; none before either camera sequence has one. The same bits every time.
+    // Root of the mean over pixels and channels of Var / (mean^2 + 0.01), where Var is the estimated variance of the
+    // mean over the passes so far; none until both camera sequences have a pass. The same bits every time.
     [[nodiscard]] std::optional<double> estimateError(Device& device);
 
-    // Everything it holds, when the device has finished; restore() wants the same resolution and layers.
+    // The whole state of the film, once the device has finished; restore() requires the same resolution and layers.
     [[nodiscard]] FilmState state() const;
     void restore(Device& device, const FilmState& state);
 
@@ -48,14 +49,14 @@ private:
 
     glm::uvec2 resolution_;
     std::vector<LayerKind> layers_;
-    std::uint32_t pass_ = 0; // that is being rendered
+    std::uint32_t pass_ = 0; // the pass being rendered
     PassSet passes_;
-    std::vector<FilmFault> faults_; // of passes that have ended; layer after layer, kFilmFaults each
+    std::vector<FilmFault> faults_; // of finished passes; layer after layer, kFilmFaults each
     gpu::Kernel accumulateFilm_;
     gpu::Kernel resolveFilm_;
     gpu::Kernel estimateError_;
     std::array<gpu::Array<shared::FilmColor>, shared::kCameraSequences> sums_; // layer after layer
-    gpu::Array<glm::uvec2> passFaults_; // of this pass: how many, and the lowest pixel; in the order of faults_
+    gpu::Array<glm::uvec2> passFaults_; // of this pass: number and lowest pixel; in the order of faults_
     gpu::Array<glm::vec3> image_;
     gpu::Array<float> errorSums_;
 };

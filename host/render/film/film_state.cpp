@@ -50,7 +50,7 @@ std::uint32_t PassSet::count() const {
 }
 
 std::uint32_t PassSet::count(std::uint32_t sequence) const {
-    // Those of [0, n) are n / 2, rounded up for sequence 0
+    // Of the passes [0, n), n / 2 belong to each sequence, rounded up for sequence 0
     const auto below = [&](std::uint32_t n) { return n / 2 + (sequence == 0 ? n % 2 : 0); };
     static_assert(shared::kCameraSequences == 2);
     std::uint32_t passes = 0;

@@ -20,7 +20,7 @@ std::string difference(const RenderIdentity& there, const RenderIdentity& here) 
     const bool sameNames = there.settings.size() == here.settings.size() &&
                            std::ranges::all_of(here.settings, [&](const auto& e) { return isSetIn(there, e.first); });
     if (!sameNames) {
-        return "one was made by another version of the program";
+        return "one is from a different version of the program";
     }
     for (const auto& [name, value] : here.settings) {
         if (there.setting(name) != value) {

@@ -15,7 +15,8 @@ namespace {
 
 template <class T>
 std::uint64_t fnvOf(const gpu::Array<T>& array, std::uint64_t state) {
-    constexpr std::size_t kAtOnce = std::size_t{1} << 20U; // of large meshes there is no room for two
+    constexpr std::size_t kAtOnce = std::size_t{1}
+                                    << 20U; // hash in parts: there may be no room for a second copy of a large mesh
     for (std::size_t first = 0; first < array.count(); first += kAtOnce) {
         const std::vector<T> part = array.read(first, std::min(kAtOnce, array.count() - first));
         state = fnv(std::as_bytes(std::span(part)), state);
@@ -35,7 +36,7 @@ std::uint64_t hashOf(const DeviceScene& deviceScene) {
     std::uint64_t state = kFnvStart;
     state = fnvOf(deviceScene.materials, state);
     for (shared::LightRecord light : deviceScene.lights.read()) {
-        light.triangles = {}; // where parts of lights stand differs from run to run; the parts themselves follow
+        light.triangles = {}; // addresses of parts of lights differ from run to run; the parts themselves follow
         light.texels = {};
         light.cdfs = {};
         state = fnv(std::as_bytes(std::span(&light, 1)), state);

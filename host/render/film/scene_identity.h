@@ -1,4 +1,4 @@
-// What the passes of a render, and its photons, depend on: found out from the scene as the device sees it.
+// Everything that the passes of a render, and its photons, depend on: determined from the scene as the device sees it.
 #pragma once
 
 #include "render/film/render_identity.h"
@@ -17,16 +17,16 @@ namespace hyalite::render {
 [[nodiscard]] RenderIdentity identify(const Scene& scene, const DeviceScene& deviceScene,
                                       const gpu::ShaderCompiler& compiler);
 
-// A number that changes with the scene, the camera left out.
+// A hash of the scene without the camera.
 [[nodiscard]] std::uint64_t hashOf(const DeviceScene& deviceScene);
 
-// What the photons of a scene depend on: the scene without the camera, the settings that photons are traced by, and the
-// GLSL of the kernels that trace them, the scene's own code included. Throws Error(BadInput) where a kernel is not
-// there.
+// Everything that the photons of a scene depend on: the scene without the camera, the settings that affect photon
+// tracing, and the GLSL of the kernels that trace them, including the scene's own code. Throws Error(BadInput) if a
+// kernel is missing.
 [[nodiscard]] RenderIdentity identifyPhotons(const Scene& scene, const DeviceScene& deviceScene,
                                              const gpu::KernelCompiler& compiler);
 
-// The kernels that trace photons and put the photon paths that go on side by side.
+// The kernels that trace photons and compact the surviving photon paths.
 [[nodiscard]] std::span<const std::string_view> kernelsOfPhotons();
 
 } // namespace hyalite::render

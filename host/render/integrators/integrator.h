@@ -1,4 +1,4 @@
-// What a way of computing light transport offers: independent passes, each of which adds one estimate per pixel.
+// The interface of an integrator: independent passes, each of which adds one estimate per pixel.
 #pragma once
 
 #include "reference/render.h"
@@ -18,21 +18,21 @@
 
 namespace hyalite::render {
 
-// What a user should know of a picture besides the picture.
+// What a user should know about a picture beyond the picture itself.
 struct RenderNotes {
-    double searchRadius = 0;           // ppm: of the first pass [m]
-    double causticSearchRadius = 0;    // ppm: the same among the caustic photons [m]; 0: these have no map of their own
-    std::vector<LightBalance> lights;  // photonmap: what became of the flux of each light
+    double searchRadius = 0;           // ppm: radius of the first pass [m]
+    double causticSearchRadius = 0;    // ppm: the same for caustic photons [m]; 0: there is no caustic map
+    std::vector<LightBalance> lights;  // photonmap: where the flux of each light went
     std::vector<std::string> warnings; // sentences
 };
 
-// Files of photon maps, for the integrators that keep them (IntegratorKind::keepsPhotons).
+// Files of photon maps, for the integrators that keep photon maps (IntegratorKind::keepsPhotons).
 struct PhotonFiles {
-    std::filesystem::path save; // write the maps here; empty: do not
+    std::filesystem::path save; // write the maps here; empty: do not write them
     std::filesystem::path load; // read them from here instead of tracing them; empty: trace them
 };
 
-// What an integrator works with. References are kept.
+// The inputs of an integrator. It keeps the references.
 struct IntegratorInput {
     Device& device;
     const Scene& scene;
@@ -48,14 +48,14 @@ public:
     PassIntegrator& operator=(const PassIntegrator&) = delete;
     virtual ~PassIntegrator() = default;
 
-    // Finds what the passes go by, such as search radii; nothing that it traces is part of the picture. Once, before
-    // begin().
+    // Determines parameters of the passes, such as search radii; nothing traced here is part of the picture. Called
+    // once, before begin().
     virtual void prepare() {}
 
-    // Makes what all passes share, such as photon maps. Once, before the first pass.
+    // Builds data that all passes share, such as photon maps. Called once, before the first pass.
     virtual void begin() {}
 
-    // Adds pass number `pass` to the film. A pass depends on its number alone, not on the passes before it.
+    // Adds pass number `pass` to the film. A pass depends only on its number, not on earlier passes.
     virtual void renderPass(std::uint32_t pass) = 0;
 
     [[nodiscard]] const Counts& counts() const { return counts_; }
@@ -66,17 +66,17 @@ protected:
     RenderNotes notes_;
 };
 
-// An integrator as the renderer knows it. With its row in scene/model/integrators.h this is all that the rest of the
-// program needs of it.
+// An integrator as the renderer knows it. Together with its row in scene/model/integrators.h this is all that the rest
+// of the program needs.
 struct IntegratorKind {
-    std::string_view name;                                   // of that row
-    std::vector<LayerKind> (*layers)(const RenderSettings&); // of its film
+    std::string_view name;                                   // the name in that row
+    std::vector<LayerKind> (*layers)(const RenderSettings&); // layers of its film
     std::unique_ptr<PassIntegrator> (*make)(const IntegratorInput&);
-    reference::Integrator reference; // the same in double precision
-    bool referenceHasLayers = false; // whose pictures keep their layers too
-    bool keepsPhotons = false;       // those of pass 0 serve all passes, and may be saved and loaded
-    // Changes settings that no path depends on, so that rendering a pass for the sake of its paths costs little more
-    // than they do; nullptr: there are none.
+    reference::Integrator reference; // the double-precision reference
+    bool referenceHasLayers = false; // the reference's pictures have layers too
+    bool keepsPhotons = false;       // the photons of pass 0 serve all passes, and may be saved and loaded
+    // Changes settings that no path depends on, so that rendering a pass only for its paths costs little more than the
+    // paths; nullptr: there are no such settings.
     void (*simplifyForPaths)(RenderSettings&) = nullptr;
 };
 

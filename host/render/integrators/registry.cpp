@@ -12,7 +12,7 @@
 namespace hyalite::render {
 
 std::span<const IntegratorKind> integratorKinds() {
-    // A line for each; everything else about an integrator is in its folder
+    // One line per integrator; everything else about an integrator is in its folder
     static const std::array<IntegratorKind, kIntegrators.size()> all{
         Ppm::kind(),
         PhotonMapping::kind(),

@@ -10,10 +10,10 @@ namespace hyalite::render {
 // In the order of kIntegrators.
 [[nodiscard]] std::span<const IntegratorKind> integratorKinds();
 
-// The scene's. Throws Error(WrongUsage) where the name is unknown.
+// The scene's integrator. Throws Error(WrongUsage) if the name is unknown.
 [[nodiscard]] const IntegratorKind& integratorKind(const Scene& scene);
 
-// The scene's picture by the reference. Throws what reference::render throws.
+// Renders the scene with the double-precision reference. Throws what reference::render throws.
 [[nodiscard]] LayeredImage renderByReference(const Scene& scene, const reference::RenderOptions& options = {});
 
 } // namespace hyalite::render

@@ -5,13 +5,13 @@
 
 namespace hyalite::render {
 
-// What became of the flux that a light emitted [W]: the last four add up to the first.
+// Where the flux that a light emitted went [W]: the last four add up to the first.
 struct LightBalance {
     glm::dvec3 emitted{0};
     glm::dvec3 stored{0};   // left on diffuse surfaces where photons were stored
-    glm::dvec3 absorbed{0}; // by mirrors, glass and surfaces that reflect nothing
+    glm::dvec3 absorbed{0}; // by mirrors, glass and absorbing surfaces
     glm::dvec3 escaped{0};  // out of the scene
-    glm::dvec3 cutOff{0};   // would have been reflected on at the end of the longest path
+    glm::dvec3 cutOff{0};   // would have been reflected at the end of the longest path
 };
 
 } // namespace hyalite::render

@@ -1,5 +1,5 @@
-// The file: a header, the identity as lines NAME=VALUE, the photons of the three maps as they stand in memory
-// (little-endian), and a checksum of all this.
+// The file: a header, the identity as lines NAME=VALUE, the photons of the three maps as in memory (little-endian), and
+// a checksum of everything before it.
 #include "render/photons/photon_file.h"
 
 #include "base/fnv.h"
@@ -99,13 +99,13 @@ PhotonLists parsePhotons(std::span<const std::byte> file, const std::filesystem:
     }
     const std::size_t content = file.size() - sizeof header - sizeof(std::uint64_t);
     if (header.identityBytes > content) {
-        fail(path, "the file of photon maps is cut off", again);
+        fail(path, "the file of photon maps is corrupt: it is truncated", again);
     }
     const std::size_t payload = content - header.identityBytes;
     std::uint64_t left = payload / sizeof(shared::Photon);
     for (const std::uint64_t count : header.counts) {
         if (count > left) {
-            fail(path, "the file of photon maps is cut off", again);
+            fail(path, "the file of photon maps is corrupt: it is truncated", again);
         }
         left -= count;
     }
@@ -124,7 +124,7 @@ PhotonLists parsePhotons(std::span<const std::byte> file, const std::filesystem:
     std::size_t map = 0;
     for (auto* photons : {&lists.global, &lists.caustic, &lists.shadow}) {
         photons->resize(header.counts.at(map++));
-        if (!photons->empty()) { // nothing may not be copied to nowhere
+        if (!photons->empty()) { // memcpy forbids a null destination even for zero bytes
             std::memcpy(photons->data(), next, photons->size() * sizeof(shared::Photon));
         }
         next += photons->size() * sizeof(shared::Photon);

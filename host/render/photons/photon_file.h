@@ -1,4 +1,4 @@
-// Photon maps in a file, with the identity of the render that they were traced for.
+// Photon maps in a file, with the identity of the render that traced them.
 #pragma once
 
 #include "render/film/render_identity.h"
@@ -13,7 +13,7 @@
 
 namespace hyalite::render {
 
-// The photons of the maps of photon mapping as they were stored, without gaps.
+// The stored photons of each map, compacted.
 struct PhotonLists {
     std::vector<shared::Photon> global;
     std::vector<shared::Photon> caustic;
@@ -23,10 +23,11 @@ struct PhotonLists {
 // `identity`: what the photons depend on (see identifyPhotons). Throws Error(OutputNotWritten).
 void writePhotons(const std::filesystem::path& path, const PhotonLists& lists, const RenderIdentity& identity);
 
-// Throws Error(BadInput) for what is no photon file, is damaged, or has another identity; then it names the difference.
+// Throws Error(BadInput) if the file is not a photon file, is corrupt, or has a different identity; the message then
+// names the difference.
 [[nodiscard]] PhotonLists readPhotons(const std::filesystem::path& path, const RenderIdentity& identity);
 
-// The same of a file's content; `path` is for messages.
+// The same for a file's content; `path` is used in messages.
 [[nodiscard]] PhotonLists parsePhotons(std::span<const std::byte> file, const std::filesystem::path& path,
                                        const RenderIdentity& identity);
 

@@ -10,7 +10,7 @@ namespace hyalite::render {
 
 namespace {
 
-// How much more slots than before are to be expected: passes differ a little.
+// Growth factor over the slots used before: passes differ a little.
 constexpr double kMoreSlots = 1.1;
 
 } // namespace
@@ -32,7 +32,7 @@ std::uint32_t PhotonFlight::follow(const Course& course) {
     }
     for (;;) {
         const shared::QueueSize end = run(course, waits);
-        // Of the photons in flight at each bounce, those of the first may have used slots that are used again
+        // Of the photons in flight at each bounce, the slots of the first bounce may have been reused
         const std::uint32_t slots = end.before - (course.storesFirst ? 0 : std::min(course.count, end.before));
         if (waits || std::uint64_t{course.firstSlot} + slots <= room()) {
             slotsPerPhoton = std::max(slotsPerPhoton, double(slots) / double(course.count));
@@ -55,7 +55,7 @@ shared::QueueSize PhotonFlight::run(const Course& course, bool waits) {
     queue_.sizes.begin(device_, course.count);
     course.emit();
     for (std::uint32_t depth = 1; depth <= course.maxDepth; ++depth) {
-        // Photons of later segments come after those of the first, or in their place
+        // Photons of later segments come after those of the first, or reuse their slots
         const std::uint32_t before = depth > 1 && !course.storesFirst ? course.count : 0;
         if (waits) {
             const shared::QueueSize size = queue_.sizes.read(device_);

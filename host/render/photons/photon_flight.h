@@ -1,5 +1,5 @@
-// Photons in flight: followed from bounce to bounce, and stored where they land. What they do at their hits is the
-// caller's.
+// Photons in flight: followed from bounce to bounce, and stored where they land. The caller decides what happens at
+// their hits.
 #pragma once
 
 #include "render/photons/photon_slots.h"
@@ -13,34 +13,34 @@ namespace hyalite::render {
 
 class PhotonFlight {
 public:
-    // References are kept. `atOnce`: photons in flight at most.
+    // Keeps the references. `atOnce`: most photons in flight.
     PhotonFlight(Device& device, const DeviceScene& deviceScene, std::uint32_t atOnce);
 
     static constexpr std::uint32_t kKinds = 2;
 
-    // Where a bounce stands.
+    // The state of one bounce.
     struct Bounce {
         std::uint32_t depth;       // segments from the light to the hits
-        gpu::ThreadCount photons;  // that are in flight
+        gpu::ThreadCount photons;  // photons in flight
         std::uint32_t firstPhoton; // see ScatterPhotonArguments
     };
     struct Course {
         std::uint32_t kind;         // below kKinds: photons of one kind take about as many slots each
-        std::uint32_t count;        // photons that start, capacity() at most
-        std::uint32_t firstSlot;    // where their slots begin
+        std::uint32_t count;        // number of photons to start, at most capacity()
+        std::uint32_t firstSlot;    // their first slot
         std::uint32_t maxDepth;     // segments
-        bool storesFirst;           // else nothing is stored after the first segment: its slots are used again
-        bool onlyOnce;              // the same photons must not be followed again
+        bool storesFirst;           // photons are stored after the first segment; if not, its slots are reused
+        bool onlyOnce;              // the same photons must not be followed a second time
         std::function<void()> emit; // fills the queue
         std::function<void(const Bounce&)> atHits; // stores photons and writes the next rays, paths and alive flags
     };
 
-    // Follows the photons to their ends and returns the slots that they fill, from firstSlot on. Finishes the commands.
-    // The device counts the photons that go on, and so where slots begin. If there turn out to be more than were to be
-    // expected from the photons before, it makes room and follows the same photons again.
+    // Follows the photons to their ends and returns the number of slots that they fill, from firstSlot on. Finishes the
+    // commands. The device counts the surviving photons, and thereby the first slot of each bounce. If they are more
+    // than expected from earlier photons, makes room and follows the same photons again.
     std::uint32_t follow(const Course& course);
 
-    // Makes room for so many slots; see reservePhotonSlots. Throws Error(Device) where 32 bits do not number them.
+    // Makes room for this many slots; see reservePhotonSlots. Throws Error(Device) if 32 bits cannot number them.
     void reserve(std::uint64_t slots);
 
     [[nodiscard]] PhotonQueue& queue() { return queue_; }
@@ -49,7 +49,7 @@ public:
     [[nodiscard]] std::uint64_t raysTraced() const { return raysTraced_; }
 
 private:
-    // The queue's size at the end. `waits`: for the device at every bounce, to make room for what comes.
+    // Returns the queue's size at the end. `waits`: wait for the device at every bounce, to make room for the next one.
     [[nodiscard]] shared::QueueSize run(const Course& course, bool waits);
     void traceClosest(const gpu::ThreadCount& photons);
 
@@ -59,7 +59,6 @@ private:
     Compaction compaction_;
     PhotonQueue queue_;
     gpu::Array<shared::Photon> photons_;
-    std::array<double, kKinds> slotsPerPhoton_{}; // most so far, by kind; 0: none was followed
     std::uint64_t raysTraced_ = 0;
 };
 

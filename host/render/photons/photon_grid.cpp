@@ -10,9 +10,9 @@ namespace hyalite::render {
 
 namespace {
 
-// Narrower cells bring fewer photons that lie beyond the radius, but more rows to look up: where some thirty photons
-// are found, searches took 1.6 times as long with 2/3 of a radius, 1.2 with 1, 1.1 with 5/2, 1.25 with 3. A little more
-// than two, so that a search reaches into two cells along each axis and never three.
+// Narrower cells contain fewer photons beyond the radius, but need more rows: with some thirty photons found, searches
+// took 1.6 times as long at 2/3 of a radius, 1.2 at 1, 1.1 at 5/2, 1.25 at 3. A little more than two, so that a search
+// overlaps two cells along each axis and never three.
 constexpr float kCellSize = 2.004F; // [search radii]
 
 constexpr std::uint32_t kLeastBuckets = 1U << 10;
@@ -29,7 +29,7 @@ void PhotonGrid::reserve(Device& device, std::uint32_t slots) {
     // One bucket for every two slots: about half of the slots hold a photon
     const std::uint32_t buckets = std::max(kLeastBuckets, std::bit_ceil(slots / 2));
     if (cellCounts_.count() < buckets || ranks_.count() < slots) {
-        device.commands.finish(); // what was recorded may use those that are replaced
+        device.commands.finish(); // recorded commands may use the buffers that are replaced
     }
     if (cellCounts_.count() < buckets) {
         cellCounts_ = {device.context, buckets, "photons per cell"};
@@ -78,7 +78,7 @@ void PhotonGrid::listByCell(Device& device, const gpu::Array<shared::Photon>& ph
     grid_.inverseCellSize = 1 / (kCellSize * radius);
     const std::uint32_t buckets = grid_.bucketMask + 1;
 
-    // How many photons fall into each bucket, and where each bucket's photons begin
+    // Count the photons of each bucket, then find where each bucket's photons begin
     device.commands.clear(cellCounts_.buffer());
     device.commands.run(
         countCells_,

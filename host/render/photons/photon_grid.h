@@ -1,5 +1,5 @@
-// Photons sorted into a hashed grid by counting: count, scan, scatter, and an order inside each bucket that makes
-// every later sum reproducible.
+// Photons sorted into a hashed grid by counting: count, scan, scatter, then sort each bucket so that later sums are
+// reproducible.
 #pragma once
 
 #include "render/wavefront/prefix_sum.h"
@@ -12,16 +12,16 @@ class PhotonGrid {
 public:
     explicit PhotonGrid(Device& device);
 
-    // Sorts the stored photons among the first `slots` of `photons` into a grid for searches of `radius` [m] and shows
-    // them in the photon table. Finishes the commands recorded so far once, to learn how many photons there are.
+    // Sorts the stored photons among the first `slots` of `photons` into a grid for searches of `radius` [m] and binds
+    // them as the photon table. Finishes the commands recorded so far once, to learn the number of photons.
     void build(Device& device, const gpu::Array<shared::Photon>& photons, std::uint32_t slots, float radius);
 
-    // The same, but the photons go to `base` of `table`, which the caller shows as TABLE_PHOTONS; there must be room
-    // for all of them. Throws Error(BadInput) where there is not.
+    // The same, but writes the photons to `table` from `base` on; the caller binds it as TABLE_PHOTONS, and it must
+    // have room for all of them. Throws Error(BadInput) if it has not.
     void build(Device& device, const gpu::Array<shared::Photon>& photons, std::uint32_t slots, float radius,
                const gpu::Array<shared::Photon>& table, std::uint32_t base);
 
-    // For kernels that search photon maps, specialised to kPhotonGrid.
+    // For kernels that search photon maps, specialized to kPhotonGrid.
     [[nodiscard]] shared::PhotonMapRecord map() const { return {order_, cellStarts_, grid_, base_, photonCount_}; }
     [[nodiscard]] const gpu::Array<shared::uint>& order() const { return order_; } // slot of each sorted photon
     [[nodiscard]] const gpu::Array<shared::uint>& cellStarts() const { return cellStarts_; }

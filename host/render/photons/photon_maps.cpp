@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t kAllLight =
     1U << shared::kPhotonDirect | 1U << shared::kPhotonIndirect | 1U << shared::kPhotonCaustic;
 
-// Relative change of the density at which an estimate from the caustic map stops to grow.
+// Relative change of the density at which an estimate from the caustic map stops growing.
 constexpr float kEdgeChange = 0.5F;
 
 gpu::Array<shared::Photon> upload(const Device& device, const std::vector<shared::Photon>& photons) {
@@ -89,7 +89,7 @@ std::vector<shared::Photon> PhotonMaps::castShadows() {
 
 void PhotonMaps::build() {
     const bool records = settings_.gatherRays > 0 && settings_.precomputedIrradiance;
-    // Records of irradiance are at most as many as the photons of the global map
+    // There are at most as many irradiance records as photons in the global map
     table_ = {device_.context, lists_.global.size() * (records ? 2 : 1) + lists_.caustic.size() + lists_.shadow.size(),
               "photon table"};
     device_.tables.set(TABLE_PHOTONS, table_.buffer(), gpu::TexelFormat::Float4);

@@ -1,5 +1,5 @@
-// The photon maps of photon mapping: traced from the lights, sorted into one table on the device, and asked by visible
-// points.
+// The photon maps of photon mapping: traced from the lights, sorted into one table on the device, and searched at
+// visible points.
 #pragma once
 
 #include "render/photons/photon_file.h"
@@ -14,16 +14,16 @@ namespace hyalite::render {
 
 class PhotonMaps {
 public:
-    // References are kept.
+    // Keeps the references.
     PhotonMaps(Device& device, const Scene& scene, const DeviceScene& deviceScene);
 
-    // Traces the photons of all maps that the settings ask for …
+    // Traces the photons of all maps that the settings request …
     void trace();
-    // … or takes them from lists, which are of the same scene and settings.
+    // … or takes them from lists of the same scene and settings.
     void load(PhotonLists lists) { lists_ = std::move(lists); }
     [[nodiscard]] const PhotonLists& lists() const { return lists_; }
 
-    // Sorts the photons into maps and computes the records of irradiance. After trace() or load().
+    // Sorts the photons into maps and computes the irradiance records. Call after trace() or load().
     void build();
 
     // Radiance [W/(m^2 sr)] at each visible point, from the photons of `kinds` in the global map, or from the caustic
@@ -32,13 +32,13 @@ public:
                         const gpu::Array<glm::vec3>& gathered, const gpu::Array<float>& radii);
     void estimateCaustics(const gpu::Array<shared::VisiblePoint>& x, const gpu::Array<glm::vec3>& gathered,
                           const gpu::Array<float>& radii);
-    // Adds the radiance that records of irradiance give the visible points, times `scale`.
+    // Adds the radiance from irradiance records at the visible points, times `scale`.
     void addIrradiance(const gpu::Array<shared::VisiblePoint>& y, const gpu::Array<glm::vec3>& gathered, float scale);
-    // Which lights are seen from the visible points; only where settings ask for shadow photons.
+    // Decides which lights are visible from the visible points; only if the settings request shadow photons.
     void classify(const gpu::Array<shared::VisiblePoint>& x, const gpu::Array<shared::uint>& lit,
                   const gpu::Array<shared::uint>& shadowed);
 
-    // Counts the photons that the camera sees, per pixel and kind.
+    // Counts the photons visible to the camera, per pixel and kind.
     void splat(const gpu::Array<shared::uint>& counts);
 
     [[nodiscard]] bool hasTargets() const { return deviceScene_.targetCount > 0; }

@@ -18,7 +18,7 @@ std::uint32_t PhotonPaths::trace(const PhotonPass& pass) {
     const std::uint32_t atOnce = flight_.queue().capacity();
     std::uint32_t slots = 0;
     for (std::uint32_t first = 0; first < pass.count; first += atOnce) {
-        if (first > 0) { // room for all that is to be expected: to grow later would keep old and new side by side
+        if (first > 0) { // reserve all expected slots: growing later would keep old and new buffers at once
             const double expected = 1.03 * double(slots) / double(first) * double(pass.count);
             flight_.reserve(static_cast<std::uint64_t>(std::min(expected, 4.0e9)));
         }

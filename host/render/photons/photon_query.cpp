@@ -15,12 +15,12 @@ namespace {
 
 void checkNearest(std::uint32_t nearest, std::uint32_t least, std::uint32_t most) {
     if (nearest < least || nearest > most) {
-        throw Error(ExitCode::BadInput, "a search for " + std::to_string(nearest) + " photons",
-                    "this one finds " + std::to_string(least) + " to " + std::to_string(most));
+        throw Error(ExitCode::BadInput, "cannot run a search for " + std::to_string(nearest) + " photons",
+                    "a search finds " + std::to_string(least) + " to " + std::to_string(most));
     }
 }
 
-// Few sizes, so that few kernels are compiled.
+// Rounds to few sizes, so that few kernels are compiled.
 std::uint32_t heapCapacity(std::uint32_t nearest, std::uint32_t least) {
     checkNearest(nearest, least, shared::kMaxNearest);
     constexpr std::uint32_t kLeast = 8;

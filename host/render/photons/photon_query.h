@@ -1,4 +1,4 @@
-// Searches of a photon map at every visible point: the radiance estimate from the nearest photons, and the photons
+// Photon map searches at every visible point: the radiance estimate from the nearest photons, and the photons
 // themselves.
 #pragma once
 
@@ -13,23 +13,23 @@ namespace hyalite::render {
 using hyalite::PhotonFilter;
 using hyalite::PhotonStructure;
 
-// What a kernel that searches photon maps is specialised to: the structure, and room for `nearest` photons.
+// Specialization of a kernel that searches photon maps: the structure, and room for `nearest` photons.
 [[nodiscard]] gpu::Specialization searchOf(PhotonStructure structure, std::uint32_t nearest,
                                            const gpu::Specialization& constants = {});
 
-// Which photons a search takes.
+// The photons that a search takes.
 struct PhotonSearch {
-    std::uint32_t nearest = 50; // how many, 1 … shared::kMaxNearest
-    float radius = 0;           // none farther away [m]; of a grid, at most the radius that it was built for
+    std::uint32_t nearest = 50; // number of photons, 1 … shared::kMaxNearest
+    float radius = 0;           // largest distance [m]; for a grid, at most the radius that it was built for
     std::uint32_t kinds = 0;    // bit shared::kPhoton… is set for every kind that counts
     std::uint32_t maxDepth = 0; // segments of the photon's path and the camera's together
-    std::uint32_t width = 0;    // of the picture, where its pixels ask
+    std::uint32_t width = 0;    // of the picture, if the points are its pixels
 };
 
 struct PhotonDensity {
     PhotonFilter filter = PhotonFilter::None;
     float coneConstant = 1.1F; // the cone's radius over the disc's, >= 1
-    float maxChange = 0;       // relative change of the density at which discs stop to grow; 0: they do not
+    float maxChange = 0;       // relative change of the density at which discs stop growing; 0: they do not stop
 };
 
 // Finds up to `nearest` photons for each point.
@@ -38,7 +38,7 @@ public:
     NearestPhotons(const Device& device, PhotonStructure structure, std::uint32_t nearest);
 
     // Records the search of `map` at `count` points. `found`: search.nearest slots for each, the nearest first, then
-    // kNone. search.nearest must not be more than at construction.
+    // kNone. search.nearest must not exceed the number given at construction.
     void run(Device& device, const shared::PhotonMapRecord& map, shared::VisiblePointArray points, std::uint32_t count,
              const PhotonSearch& search, shared::UintArray found);
 
@@ -50,12 +50,12 @@ private:
 // Estimates reflected radiance from the nearest photons.
 class RadianceEstimate {
 public:
-    // A reference to the scene is kept. `nearest`: at least 2; one photon makes a disc and leaves none to count in it.
-    // Throws Error(BadInput) otherwise.
+    // Keeps a reference to the scene. `nearest`: at least 2, because the farthest photon only bounds the disc. Throws
+    // Error(BadInput) otherwise.
     RadianceEstimate(const Device& device, const DeviceScene& deviceScene, PhotonStructure structure,
                      std::uint32_t nearest);
 
-    // Records the estimate at `count` points: radiance [W/(m^2 sr)] and the radius of the disc that it comes from [m].
+    // Records the estimate at `count` points: radiance [W/(m^2 sr)] and the radius of its disc [m].
     void run(Device& device, const shared::PhotonMapRecord& map, shared::VisiblePointArray points, std::uint32_t count,
              const PhotonSearch& search, const PhotonDensity& density, shared::ColorArray gathered,
              shared::FloatArray radii);

@@ -1,4 +1,4 @@
-// Room for photons as they land, bounce after bounce.
+// Storage for photons as they land, bounce after bounce.
 #pragma once
 
 #include "render/wavefront/device.h"
@@ -8,10 +8,10 @@
 
 namespace hyalite::render {
 
-// Makes room for so many photons and keeps those that are there; finishes the commands recorded so far if it must.
+// Makes room for this many photons and keeps the present ones; finishes the commands recorded so far if it must grow.
 void reservePhotonSlots(Device& device, gpu::Array<shared::Photon>& photons, std::uint32_t slots);
 
-// The stored photons among the first `slots`, without the gaps, in order. No command may be in flight.
+// The stored photons among the first `slots`, compacted, in order. No command may be in flight.
 [[nodiscard]] std::vector<shared::Photon> storedPhotons(const gpu::Array<shared::Photon>& photons, std::uint32_t slots);
 
 } // namespace hyalite::render

@@ -19,14 +19,14 @@ using shared::uint;
 
 constexpr uint kDigitBits = 8;
 
-// Subtrees of at most so many photons are finished by one thread each: 512 and 2048 measure alike.
+// Subtrees of at most this many photons are finished by one thread each: 512 and 2048 measure alike.
 constexpr uint kSubtreeSize = 512;
 
 uint chunksOf(uint count, uint chunk) {
     return (count + chunk - 1) / chunk;
 }
 
-// Levels to split before every subtree is small; the leftmost of a level is the largest.
+// Number of levels to split until every subtree is small; the leftmost of a level is the largest.
 uint parallelLevels(uint photons) {
     uint levels = 0;
     while (shared::kdSubtree({0, photons}, levels, 0).count > kSubtreeSize) {
@@ -35,7 +35,7 @@ uint parallelLevels(uint photons) {
     return levels;
 }
 
-// The threads that part one level: by list, node and chunk.
+// Number of threads that partition one level: by list, node and chunk.
 uint sideThreads(uint photons, uint level) {
     return (3 * chunksOf(shared::kdSubtree({0, photons}, level, 0).count, kSplitChunk)) << level;
 }
@@ -67,9 +67,9 @@ void PhotonTree::build(Device& device, const gpu::Array<shared::Photon>& photons
     }
     // Three lists of them, one along each axis
     sortAlongAxes(device);
-    // Part the lists about the photon in the middle of each node's longest side, down to the leaves
+    // Partition the lists at the photon in the middle of each node's longest side, down to the leaves
     splitLevels(device);
-    // And move the photons to their nodes
+    // Move the photons to their nodes
     const shared::PhotonArray tree{table.buffer().address() + base * sizeof(shared::Photon)};
     device.commands.run(placePhotons_,
                         shared::PlacePhotonsArguments{.photons = photons,
@@ -83,7 +83,7 @@ void PhotonTree::build(Device& device, const gpu::Array<shared::Photon>& photons
 
 void PhotonTree::listPhotons(Device& device, const gpu::Array<shared::Photon>& photons, std::uint32_t slots) {
     if (marks_.count() < slots) {
-        device.commands.finish();                                // what was recorded may use those that are replaced
+        device.commands.finish(); // recorded commands may use the buffers that are replaced
         const std::size_t room = std::size_t{slots} + slots / 4; // passes differ a little
         marks_ = {device.context, room, "photon marks"};
         numbers_ = {device.context, room + 1, "photon numbers"};
@@ -143,7 +143,7 @@ void PhotonTree::splitLevels(Device& device) {
         const uint nodes = 1U << level;
         const uint threads = sideThreads(n, level);
         const uint chunks = threads / (3 * nodes);
-        // The keys are in the lists by now: what splits each node takes their place
+        // The keys are in the lists by now: the splitting photons reuse their buffer
         commands.run(splitNodes_,
                      shared::SplitNodesArguments{
                          .lists = lists, .splits = keys_, .nodes = nodes_, .count = nodes, .level = level, .stored = n},

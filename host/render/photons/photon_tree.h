@@ -1,5 +1,5 @@
 // Photons sorted into a left-balanced kd-tree in heap order [Jensen01], built level by level from three sorted lists as
-// in [Brown15] and laid out as in [Wald22].
+// in [Brown15] and stored as in [Wald22].
 #pragma once
 
 #include "render/wavefront/prefix_sum.h"
@@ -12,15 +12,14 @@ class PhotonTree {
 public:
     explicit PhotonTree(Device& device);
 
-    // Sorts the stored photons among the first `slots` of `photons` into a tree, at `base` of `table`; there must be
-    // room for all of them. The caller shows the table as TABLE_PHOTONS. Each node splits along the longest edge of the
-    // box about its photons; of equal coordinates the lower slot is the lesser. Finishes the commands recorded so far
-    // once, to learn how many photons there are.
-    // Throws Error(BadInput) where the table has not the room.
+    // Sorts the stored photons among the first `slots` of `photons` into a tree, at `base` of `table`, which must have
+    // room for all of them. The caller binds the table as TABLE_PHOTONS. Each node splits along the longest edge of the
+    // box around its photons; ties are ordered by slot. Finishes the commands recorded so far once, to learn the number
+    // of photons. Throws Error(BadInput) if the table is too small.
     void build(Device& device, const gpu::Array<shared::Photon>& photons, std::uint32_t slots,
                const gpu::Array<shared::Photon>& table, std::uint32_t base);
 
-    // For kernels that search photon maps, specialised to kPhotonTree.
+    // For kernels that search photon maps, specialized to kPhotonTree.
     [[nodiscard]] shared::PhotonMapRecord map() const { return {order_, {}, {}, base_, photonCount_}; }
     [[nodiscard]] const gpu::Array<shared::uint>& order() const { return order_; } // slot of each node's photon
     [[nodiscard]] std::uint32_t photonCount() const { return photonCount_; }
@@ -47,8 +46,8 @@ private:
     gpu::Array<shared::uint> marks_;
     gpu::Array<shared::uint> numbers_;
     gpu::Array<shared::uint> slots_;       // of the stored photons
-    gpu::Array<shared::KeyedPhoton> keys_; // of each stored photon; later, what splits each node of a level
-    gpu::Array<shared::KeyedPhoton> even_; // the lists before every other level is split; before that, room for pairs
+    gpu::Array<shared::KeyedPhoton> keys_; // of each stored photon; later, the splitting photon of each node of a level
+    gpu::Array<shared::KeyedPhoton> even_; // the lists before every other level is split; before that, pairs to sort
     gpu::Array<shared::KeyedPhoton> odd_;  // the lists after it
     gpu::Array<shared::uint> counts_;
     gpu::Array<shared::uint> sums_;

@@ -1,4 +1,4 @@
-// A photon map that kernels can search, by whichever structure the settings ask for.
+// A photon map that kernels can search, in the structure that the settings choose.
 #pragma once
 
 #include "render/photons/photon_grid.h"

@@ -1,4 +1,4 @@
-// See custom_code.h. Lines keep the file and number that they have at home, so that a mistake is reported there.
+// See custom_code.h. Lines keep their original file and number, so that errors are reported there.
 #include "render/upload/custom_code.h"
 
 #include <set>
@@ -15,8 +15,8 @@ std::string quoted(const CustomCode& code) {
     return "#line 1 \"" + code.file + "\"\n" + code.text + '\n';
 }
 
-// A function that calls one of the scene's own by its number. Several may come of one file, with parameters of their
-// own.
+// A function that calls one of the scene's functions by number. Several may come from one file, each with its own
+// parameters.
 struct Dispatcher {
     std::string code;
     std::string choice;
@@ -27,7 +27,7 @@ struct Dispatcher {
         code += files.insert(custom.file).second ? quoted(custom) : "";
         choice += "    case " + std::to_string(number++) + "u: return " + custom.function + arguments + ";\n";
     }
-    // Nothing where there is nothing to call.
+    // Adds nothing if there is no function to call.
     void putInto(std::map<std::string, std::string>& texts, const std::string& file,
                  const std::string& declaration) const {
         if (!choice.empty()) {

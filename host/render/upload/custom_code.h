@@ -1,4 +1,4 @@
-// GLSL that a scene brings along, as the kernels take it in.
+// GLSL that a scene supplies, as the kernels include it.
 #pragma once
 
 #include "scene/model/scene.h"
@@ -8,8 +8,8 @@
 
 namespace hyalite::render {
 
-// What stands in place of files of the shaders folder when kernels are compiled for the scene, by path: nothing for a
-// scene without code of its own.
+// Replacements of files of the shaders folder when kernels are compiled for the scene, by path; empty for a scene
+// without its own code.
 [[nodiscard]] std::map<std::string, std::string> customCode(const Scene& scene);
 
 } // namespace hyalite::render

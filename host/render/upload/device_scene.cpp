@@ -19,16 +19,17 @@ namespace {
 using glm::dvec3;
 using glm::vec3;
 
-// Up to so many spheres and flat shapes are tried one by one: eight measure 2.4 times as fast as their hierarchy.
+// Up to this many spheres and flat shapes are tested one by one: for eight this is 2.4 times as fast as a hierarchy.
 constexpr std::size_t kFewObjects = 12;
 
-// Meshes have hierarchies of their own; to try a solid costs more than to pass by its box.
+// Is the object cheap to intersect? Meshes have their own hierarchies, and intersecting a solid costs more than testing
+// its box.
 bool isQuicklyTried(const Object& object) {
     return !std::holds_alternative<Quadric>(object.shape) && !std::holds_alternative<Torus>(object.shape) &&
            !std::holds_alternative<Csg>(object.shape);
 }
 
-// To full rounds of the stack's variables, so that scenes of much the same depth share their kernels.
+// Rounds up to multiples of the stack's variables, so that scenes of similar depth share their kernels.
 std::uint32_t roundedUp(std::uint32_t stackEntries) {
     return (stackEntries + shared::kStackTops - 1) / shared::kStackTops * shared::kStackTops;
 }
@@ -61,7 +62,7 @@ shared::CameraRecord cameraRecord(const Camera& camera) {
 
 namespace {
 
-// Copies a table to the device and frees it here: of large meshes there is no room for two.
+// Copies a table to the device and frees the host's copy: there is no room for two copies of a large mesh.
 template <class T>
 gpu::Array<T> upload(const gpu::Context& context, std::vector<T>& table, const char* name) {
     gpu::Array<T> array(context, std::span<const T>(table), name);

@@ -1,4 +1,4 @@
-// The scene on the device: what every integrator's kernels read.
+// The scene on the device: the input of every integrator's kernels.
 #pragma once
 
 #include "gpu/buffer.h"
@@ -12,27 +12,27 @@ namespace hyalite::render {
 struct DeviceScene {
     shared::CameraRecord camera;
     gpu::Array<shared::MaterialRecord> materials;
-    gpu::Array<shared::LightRecord> lights; // they name places in the next three
+    gpu::Array<shared::LightRecord> lights; // they refer to elements of the next three
     gpu::Array<shared::LightTriangle> lightTriangles;
     gpu::Array<glm::vec3> lightTexels;
     gpu::Array<float> lightCdfs;
     gpu::Array<shared::InstanceRecord> instances; // in device order, like the objects
-    gpu::Array<glm::vec3> normals;                // three per triangle of those that come first
+    gpu::Array<glm::vec3> normals;                // three for each triangle with normals; those come first
     gpu::Array<glm::uvec4> geometry;              // triangles, then nodes
     gpu::Array<glm::vec4> objects;
     gpu::Array<glm::vec4> textures;
     gpu::Array<glm::vec4> textureCoordinates; // of the triangles
     std::uint32_t rootNode = 0;
     std::uint32_t lightCount = 0;
-    gpu::Array<shared::TargetRecord> targets; // what caustic photons are aimed at
+    gpu::Array<shared::TargetRecord> targets; // aims of caustic photons
     std::uint32_t targetCount = 0;
-    bool hasRoughLobes = false;            // whether camera paths leave rough points
+    bool hasRoughLobes = false;            // camera paths leave rough points
     std::vector<std::uint32_t> objectOf;   // see ObjectTable
     std::vector<std::uint32_t> leafOf;     // see ObjectTable
     std::vector<std::uint32_t> triangleOf; // see MeshTables::fileOrder
-    gpu::Specialization specialization;    // what the scene does not have, kernels leave out
+    gpu::Specialization specialization;    // kernels omit features that the scene lacks
 
-    // The picture's width where so many elements are its pixels, else 0: see shaders/shared/pixel_order.h.
+    // The picture's width if this many elements are its pixels, else 0: see shaders/shared/pixel_order.h.
     [[nodiscard]] std::uint32_t widthOf(std::uint32_t count) const {
         return count == camera.width * camera.height ? camera.width : 0;
     }
@@ -40,8 +40,7 @@ struct DeviceScene {
 
 [[nodiscard]] shared::CameraRecord cameraRecord(const Camera& camera);
 
-// Builds the hierarchies, uploads everything and shows the hot tables at their bindings; the result must outlive the
-// tables' use.
+// Builds the hierarchies, uploads everything and binds the hot tables; the result must outlive the tables' use.
 [[nodiscard]] DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, const Scene& scene);
 
 } // namespace hyalite::render

@@ -9,17 +9,17 @@
 
 namespace hyalite::render {
 
-// All meshes, one behind the other; see shaders/shared/scene_records.h for the layouts.
+// All meshes, one after another; see shaders/shared/scene_records.h for the layouts.
 struct MeshTables {
     std::vector<glm::uvec4> geometry;     // triangles, then nodes
-    std::vector<glm::vec3> normals;       // of the meshes that have some, whose triangles come first
-    std::vector<std::uint32_t> order;     // the meshes, as their triangles stand
+    std::vector<glm::vec3> normals;       // of the meshes with normals, whose triangles come first
+    std::vector<std::uint32_t> order;     // the meshes, in the order of their triangles
     std::vector<std::uint32_t> roots;     // by mesh: record of its root
     std::vector<std::uint32_t> fileOrder; // by triangle of the table: its number in the mesh file
-    std::uint32_t stackEntries = 0;       // what a ray in one of the meshes needs at most
+    std::uint32_t stackEntries = 0;       // most stack entries that a ray needs in any mesh
 };
 
-// Throws Error(BadInput) where the meshes together have more triangles and nodes than a leaf can name.
+// Throws Error(BadInput) if the meshes have more triangles and nodes than a leaf's bits can number.
 [[nodiscard]] MeshTables buildMeshTables(const std::vector<Mesh>& meshes);
 
 } // namespace hyalite::render

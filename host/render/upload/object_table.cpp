@@ -19,7 +19,7 @@ using glm::vec4;
 using kinds::bits;
 using kinds::ObjectRecord;
 
-// To try an object costs more than to look at a node: leaves of two are up to a tenth slower.
+// Intersecting an object costs more than visiting a node: leaves of two are up to a tenth slower.
 constexpr std::uint32_t kObjectsPerLeaf = 1;
 
 class TableBuilder {
@@ -100,7 +100,7 @@ private:
         }
     }
 
-    // `light`: of a leaf of CSG, the device object it is part of.
+    // `light`: for a leaf of CSG, the device object it is part of.
     void append(ObjectRecord r, const Object& object, std::uint32_t light, std::uint32_t sceneObject,
                 std::uint32_t leaf) {
         const std::uint32_t material = object.material ? static_cast<std::uint32_t>(*object.material) : shared::kNone;

@@ -10,7 +10,7 @@
 
 namespace hyalite::render {
 
-// Whether any material has a texture; where none has, kernels leave both tables alone.
+// Does any material have a texture? If none has, kernels do not read either table.
 [[nodiscard]] bool hasTextures(const Scene& scene);
 
 // The texture table: all textures, then the texels of the images.

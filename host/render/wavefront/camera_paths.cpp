@@ -49,7 +49,7 @@ void CameraPaths::start(std::uint32_t slots) {
 void CameraPaths::follow(std::uint32_t pass, const gpu::Array<shared::VisiblePoint>& visiblePoints,
                          const gpu::Array<glm::vec3>& emitted, const gpu::Array<glm::vec3>* direct,
                          const AtHits& atHits) {
-    // Nothing goes on from the last segment
+    // No path continues after the last segment
     const std::uint32_t maxDepth = std::max(scene_.render.maxDepth, 1U);
     for (std::uint32_t depth = 1; depth <= maxDepth; ++depth) {
         if (looksAtQueue(device_, depth) && queue_.sizes.read(device_).count == 0) {

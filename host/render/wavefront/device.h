@@ -1,5 +1,5 @@
 // The device as every stage of a renderer sees it: where kernels come from, where their tables are bound, and the one
-// list of commands they are run by.
+// command list that runs them.
 #pragma once
 
 #include "base/error.h"
@@ -23,8 +23,8 @@ struct Device {
     Device(const gpu::Context& c, const gpu::KernelCompiler& s, bool timed)
         : context(c), compiler(s), commands(c, tables, timed) {}
 
-    // Several stages may ask for the same kernel: it is made once, in the background. What is wrong with its source is
-    // thrown where it is first run.
+    // Several stages may request the same kernel: it is built once, in the background. Errors in its source are thrown
+    // where it is first run.
     [[nodiscard]] gpu::Kernel kernel(const std::string& name, const gpu::Specialization& specialization = {}) const {
         const auto found = kernels_.find({name, specialization});
         if (found != kernels_.end()) {
@@ -36,18 +36,18 @@ struct Device {
             .first->second;
     }
 
-    // Waits until all kernels are made, or have failed to be.
+    // Waits until all kernels are built or have failed.
     void finishKernels() const {
         for (const auto& [key, kernel] : kernels_) {
             try {
                 static_cast<void>(kernel.impl());
             } catch (const Error&) {
-                continue; // thrown again where it is run
+                continue; // thrown again where the kernel is run
             }
         }
     }
 
-    // Makes these kernels anew when they are next asked for; who has one keeps it.
+    // Rebuilds these kernels on next request; handles already held stay valid.
     void forget(const std::set<std::string>& names) {
         std::erase_if(kernels_, [&](const auto& entry) { return names.contains(entry.first.first); });
     }

@@ -1,4 +1,4 @@
-// A counter of 64 bits on the device, which kernels add to: see shaders/lib/counter.glsl.
+// A 64-bit counter on the device, which kernels add to: see shaders/lib/counter.glsl.
 #pragma once
 
 #include "gpu/buffer.h"

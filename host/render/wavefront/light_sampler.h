@@ -1,4 +1,4 @@
-// Direct light at visible points: a point on a light for each, and a shadow ray to it.
+// Direct light at visible points: samples a point on a light for each, and traces a shadow ray to it.
 #pragma once
 
 #include "render/upload/device_scene.h"
@@ -11,18 +11,18 @@ namespace hyalite::render {
 
 class LightSampler {
 public:
-    // References are kept. `capacity`: visible points at most.
+    // Keeps the references. `capacity`: most visible points.
     LightSampler(Device& device, const DeviceScene& deviceScene, std::uint32_t capacity);
 
-    // Chooses a point on `light` (kNone: on one picked in proportion to its share of the photons) for each of the
-    // visible points; segments beyond maxDepth are not sampled.
+    // Samples a point on `light` (kNone: on one picked in proportion to its share of the photons) for each visible
+    // point; points beyond maxDepth segments are not sampled.
     void sample(const gpu::Array<shared::VisiblePoint>& visiblePoints, std::uint32_t light, std::uint32_t pass,
                 std::uint32_t maxDepth);
-    // Adds what the sampled lights send wherever nothing stands in the way.
+    // Adds the light of the unoccluded samples.
     void trace(const gpu::Array<glm::vec3>& direct);
 
-    // The same for the paths of the queue that have met a diffuse surface `depth` segments from the camera, from which
-    // they go on: see SampleLightsArguments::bounceDepth.
+    // The same for the queue's paths that have reached a diffuse surface `depth` segments from the camera, from which
+    // they continue: see SampleLightsArguments::bounceDepth.
     void sample(const gpu::Array<shared::VisiblePoint>& visiblePoints, const CameraQueue& queue, std::uint32_t pass,
                 std::uint32_t maxDepth, std::uint32_t depth);
     void trace(const gpu::Array<glm::vec3>& direct, const CameraQueue& queue);
@@ -30,7 +30,7 @@ public:
     [[nodiscard]] const gpu::Array<shared::Ray>& shadowRays() const { return shadowRays_; }
     [[nodiscard]] const gpu::Array<glm::vec3>& contributions() const { return contributions_; }
 
-    // So far. No command may be in flight.
+    // Number of rays so far. No command may be in flight.
     [[nodiscard]] std::uint64_t raysTraced() const { return rayCount_.read(); }
 
 private:

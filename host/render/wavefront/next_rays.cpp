@@ -9,7 +9,7 @@ void NextRays::count(Device& device, const gpu::Array<shared::uint>& alive, cons
     const gpu::ThreadCount paths = sizes.threads();
     const gpu::ThreadCount chunks = sizes.threads(1);
     if (chunkSums_.count() < chunks.most()) {
-        device.commands.finish(); // what was recorded may use those that are replaced
+        device.commands.finish(); // recorded commands may use the buffers that are replaced
         chunkSums_ = {device.context, chunks.most(), "chunks of next rays"};
         chunkOffsets_ = {device.context, std::size_t{chunks.most()} + 1, "offsets of next rays"};
     }

@@ -1,4 +1,4 @@
-// The rays that paths leave, in slots of theirs: which slots hold one.
+// The next rays of paths, in the paths' own slots: lists the slots in use.
 #pragma once
 
 #include "render/wavefront/prefix_sum.h"
@@ -9,11 +9,11 @@ class NextRays {
 public:
     explicit NextRays(Device& device);
 
-    // Records the count of the rays that the queue's paths leave, the sum of `alive`: it becomes sizes.next().
+    // Records the count of the next rays of the queue's paths, the sum of `alive`: it becomes sizes.next().
     void count(Device& device, const gpu::Array<shared::uint>& alive, const QueueSizes& sizes);
 
-    // After count, for the same paths: records that their slots are written to `slots`, in order, as far as it has
-    // room. A path has `slotsOfPath`, and uses the first of them.
+    // After count, for the same paths: records writing their used slots to `slots`, in order, up to its capacity. A
+    // path has `slotsOfPath` slots, and uses the first of them.
     void list(Device& device, const gpu::Array<shared::uint>& alive, const QueueSizes& sizes, std::uint32_t slotsOfPath,
               const gpu::Array<shared::uint>& slots);
 

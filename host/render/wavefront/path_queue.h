@@ -1,23 +1,23 @@
-// Paths in flight, kept without gaps from bounce to bounce and always in the same order.
+// Paths in flight, compacted after every bounce and always in the same order.
 #pragma once
 
 #include "render/wavefront/prefix_sum.h"
 
 namespace hyalite::render {
 
-// The part that does not depend on what a path carries.
+// The part that does not depend on the type of path.
 struct RayQueue {
     gpu::Array<shared::Ray> rays;
     gpu::Array<shared::Hit> hits;
     gpu::Array<shared::Ray> nextRays;
-    gpu::Array<shared::uint> alive;   // 1 where a next ray stands
-    gpu::Array<shared::uint> offsets; // exclusive sums of alive
-    QueueSizes sizes;                 // paths in flight
+    gpu::Array<shared::uint> alive;   // 1 if there is a next ray
+    gpu::Array<shared::uint> offsets; // exclusive prefix sums of alive
+    QueueSizes sizes;                 // number of paths in flight
 
     RayQueue(const gpu::Context& context, std::uint32_t capacity, const std::string& name);
     [[nodiscard]] std::uint32_t capacity() const { return static_cast<std::uint32_t>(rays.count()); }
 
-    // A thread for each path in flight.
+    // One thread per path in flight.
     [[nodiscard]] gpu::ThreadCount threads() const { return sizes.threads(); }
 };
 
@@ -28,7 +28,7 @@ struct CameraQueue : RayQueue {
     CameraQueue(const gpu::Context& context, std::uint32_t capacity);
 };
 
-// So many photons fill both cores of a small machine and every GPU; the rest of a pass waits, and takes no room.
+// This many photons fill both cores of a small machine and every GPU; the rest of a pass waits, and takes no memory.
 inline constexpr std::uint32_t kPhotonsInFlight = std::uint32_t{1} << 20U;
 
 struct PhotonQueue : RayQueue {
@@ -38,7 +38,7 @@ struct PhotonQueue : RayQueue {
     PhotonQueue(const gpu::Context& context, std::uint32_t capacity);
 };
 
-// The end of a bounce: the next rays and paths that are alive become the queue, without gaps and in their order.
+// The end of a bounce: the surviving next rays and paths become the queue, compacted and in order.
 class Compaction {
 public:
     explicit Compaction(Device& device) : compactPaths_(device.kernel("compact_paths")), prefixSum_(device) {}

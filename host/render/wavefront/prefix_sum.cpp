@@ -4,7 +4,7 @@ namespace hyalite::render {
 
 namespace {
 
-// Up to so many values one workgroup is faster than all in turn: measured on lavapipe.
+// Up to this many values one workgroup is faster than three dispatches: measured on lavapipe.
 constexpr std::uint32_t kFewValues = 16384;
 
 } // namespace
@@ -38,7 +38,7 @@ void PrefixSum::run(Device& device, const gpu::Array<shared::uint>& values, cons
     scan(device, values, sums, counts, 0);
 }
 
-// Room for every level first: buffers in use by recorded commands must not be replaced.
+// Makes room for every level first: buffers used by recorded commands must not be replaced.
 void PrefixSum::reserve(Device& device, const Counts& counts) {
     for (std::uint32_t level = 0; counts.at(level).most() > kFewValues; ++level) {
         const std::uint32_t chunks = counts.at(level + 1).most();

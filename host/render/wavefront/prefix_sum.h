@@ -16,21 +16,21 @@ public:
     void run(Device& device, const gpu::Array<shared::uint>& values, const gpu::Array<shared::uint>& sums,
              std::uint32_t count);
 
-    // Records the same of as many values as the queue has elements, or chunks of kScanChunk^level elements. The total
-    // is how many elements the queue will have next: it becomes sizes.next().
+    // Records the same for as many values as the queue has elements, or chunks of kScanChunk^level elements. The total
+    // is the queue's next number of elements: it becomes sizes.next().
     struct OfQueue {
         const QueueSizes& sizes;
         std::uint32_t level = 0;
-        shared::UintArray elementCount = {}; // a DeviceCounter: the queue's elements are added to it; none: no
+        shared::UintArray elementCount = {}; // a DeviceCounter to which the queue's elements are added; null: none
     };
     void run(Device& device, const gpu::Array<shared::uint>& values, const gpu::Array<shared::uint>& sums,
              const OfQueue& queue);
 
 private:
-    // Of the values of each level how many there are, the first level's first.
+    // The number of values of each level, the first level's first.
     struct Counts {
         const OfQueue* queue = nullptr;
-        std::uint32_t count = 0; // without a queue
+        std::uint32_t count = 0; // number without a queue
         [[nodiscard]] gpu::ThreadCount at(std::uint32_t level) const;
     };
     void reserve(Device& device, const Counts& counts);
@@ -40,7 +40,7 @@ private:
     gpu::Kernel scanGroup_;
     gpu::Kernel sumChunks_;
     gpu::Kernel scanChunks_;
-    // Sums of chunks, of chunks of chunks … and, beside them, what precedes each
+    // Sums of chunks, of chunks of chunks …, and the sum of the values before each
     struct Level {
         gpu::Array<shared::uint> sums;
         gpu::Array<shared::uint> offsets;

@@ -31,7 +31,7 @@ gpu::ThreadCount QueueSizes::threads(std::uint32_t level) const {
     for (std::uint32_t i = 0; i < level; ++i) {
         most = shared::chunksOf(most);
     }
-    if (isFirst_) { // by the number: kernels need not look it up
+    if (isFirst_) { // a known number: kernels need not read it on the device
         return most;
     }
     return {sizes_, std::size_t{bounce_} * kQueueLevels + level, most};

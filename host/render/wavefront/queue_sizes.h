@@ -1,5 +1,5 @@
-// How many elements a queue holds, bounce after bounce. The device alone knows: kernels are dispatched by it, and the
-// host reads it only where it must.
+// A queue's number of elements, bounce after bounce. Only the device knows it: kernels are dispatched from it, and the
+// host reads it only when necessary.
 #pragma once
 
 #include "render/wavefront/device.h"
@@ -12,28 +12,28 @@ namespace hyalite::render {
 
 class QueueSizes {
 public:
-    // Of so many bounces, after which it starts over; two suffice where the host does not look back.
+    // Sizes for this many bounces, after which it wraps around; two suffice if the host does not look back.
     QueueSizes(const gpu::Context& context, std::uint32_t bounces, const std::string& name)
         : sizes_(context, std::size_t{bounces} * shared::kQueueLevels, name + " sizes"), bounces_(bounces) {}
 
-    // The queue has `count` elements now, at the first bounce.
+    // Sets the queue to `count` elements, at the first bounce.
     void begin(Device& device, std::uint32_t count);
 
-    // On to the next bounce, whose size a PrefixSum has found by then; it has `most` elements at most, without one no
-    // more than this one.
+    // Advances to the next bounce, whose size a PrefixSum has computed by then; it has at most `most` elements, by
+    // default at most as many as this bounce.
     void advance() { advance(most_); }
     void advance(std::uint32_t most);
 
-    // The threads of a stage that takes an element each, or a chunk of kScanChunk^level elements.
+    // The threads of a stage with one thread per element, or per chunk of kScanChunk^level elements.
     [[nodiscard]] gpu::ThreadCount threads(std::uint32_t level = 0) const;
     [[nodiscard]] shared::QueueSizeArray current() const { return at(bounce_); }
     [[nodiscard]] shared::QueueSizeArray next() const { return at((bounce_ + 1) % bounces_); }
 
     // Finishes the commands recorded so far and reads the present size.
     [[nodiscard]] shared::QueueSize read(Device& device);
-    // The size that the next bounce has. No command may be in flight.
+    // The size of the next bounce. No command may be in flight.
     [[nodiscard]] shared::QueueSize readNext() const;
-    // The elements of the first `count` bounces. No command may be in flight.
+    // The numbers of elements in the first `count` bounces. No command may be in flight.
     [[nodiscard]] std::vector<std::uint32_t> counts(std::uint32_t count) const;
 
 private:
@@ -45,14 +45,15 @@ private:
     std::uint32_t bounces_;
     std::uint32_t bounce_ = 0;
     std::uint32_t most_ = 0;
-    bool isFirst_ = true; // and the host knows the size
+    bool isFirst_ = true; // the first bounce: the host knows the size
 };
 
-// So many bounces are recorded before the host looks whether any path is left. Later bounces of an empty queue cost
+// This many bounces are recorded before the host checks whether any path is left. Later bounces of an empty queue cost
 // little, and waiting for the device costs more (docs/performance.md).
 inline constexpr std::uint32_t kBouncesAhead = 16;
 
-// Is it time to look, before the bounce of this number (from 1 on)? Always, where the device is waited for anyway.
+// Should the host check the queue before the bounce of this number (from 1 on)? Always, if it waits for the device
+// anyway.
 [[nodiscard]] bool looksAtQueue(const Device& device, std::uint32_t bounce);
 
 } // namespace hyalite::render

@@ -1,4 +1,4 @@
-// Light that comes straight from the lights to where camera paths leave by rough lobes.
+// Direct light where camera paths leave by rough lobes.
 #pragma once
 
 #include "render/upload/device_scene.h"
@@ -13,13 +13,13 @@ namespace hyalite::render {
 
 class RoughLight {
 public:
-    // References are kept.
+    // Keeps the references.
     RoughLight(Device& device, const DeviceScene& deviceScene);
 
-    // How many points `count` paths may leave: none in scenes without rough lobes.
+    // Most points that `count` paths may leave: none in scenes without rough lobes.
     [[nodiscard]] std::uint32_t points(std::uint32_t count) const { return deviceScene_.hasRoughLobes ? count : 0; }
 
-    // Records that `direct` gets what reaches the points which the paths have left: from one light picked in
+    // Records adding the direct light at the points that the paths have left to `direct`: from one light picked in
     // proportion to power (light = kNone), or from the light named. `rayCount`: a DeviceCounter, to which the shadow
     // rays are added.
     void sample(shared::RoughPointArray points, shared::ColorArray direct, const gpu::ThreadCount& paths,
@@ -28,7 +28,7 @@ public:
 private:
     Device& device_;
     const DeviceScene& deviceScene_;
-    std::optional<gpu::Kernel> sampleRoughLights_; // of scenes with rough lobes
+    std::optional<gpu::Kernel> sampleRoughLights_; // only in scenes with rough lobes
 };
 
 } // namespace hyalite::render

@@ -26,10 +26,10 @@ void PathTracing::renderPass(std::uint32_t pass) {
     cameraPaths_.generate(pass);
     cameraPaths_.follow(pass, visiblePoints_, met_, &sampled_, [&](std::uint32_t depth) {
         const CameraQueue& queue = cameraPaths_.queue();
-        // Light that a shadow ray brings to the diffuse surfaces that paths have just come to …
+        // Next event: light that a shadow ray brings to the diffuse surfaces that paths have just reached …
         lightSampler_.sample(visiblePoints_, queue, pass, maxDepth, depth);
         lightSampler_.trace(sampled_, queue);
-        // … and the ways on from there
+        // … and the paths' next directions from there
         const gpu::ThreadCount threads = queue.threads();
         device_.commands.run(bouncePaths_,
                              shared::BouncePathsArguments{.paths = queue.paths,

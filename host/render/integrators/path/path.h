@@ -1,4 +1,4 @@
-// Unidirectional path tracing with next-event estimation [Kajiya86], the unbiased yardstick of the other integrators.
+// Unidirectional path tracing with next-event estimation [Kajiya86], the unbiased reference for the other integrators.
 #pragma once
 
 #include "render/integrators/integrator.h"
@@ -24,9 +24,9 @@ private:
     LightSampler lightSampler_;
     gpu::Kernel bouncePaths_;
 
-    gpu::Array<shared::VisiblePoint> visiblePoints_; // where each pixel's path last met a diffuse surface
-    gpu::Array<glm::vec3> met_;                      // light that paths met by themselves
-    gpu::Array<glm::vec3> sampled_;                  // light that shadow rays brought
+    gpu::Array<shared::VisiblePoint> visiblePoints_; // where each pixel's path last hit a diffuse surface
+    gpu::Array<glm::vec3> met_;                      // light that paths hit themselves
+    gpu::Array<glm::vec3> sampled_;                  // light from next-event estimation
 };
 
 } // namespace hyalite::render

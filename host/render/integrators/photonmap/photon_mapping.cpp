@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint32_t kAllLight =
     1U << shared::kPhotonDirect | 1U << shared::kPhotonIndirect | 1U << shared::kPhotonCaustic;
 
-// How photons are drawn, by kind: yellow, blue, red, magenta.
+// Colours of the drawn photons by kind: yellow, blue, red, magenta.
 constexpr std::array<glm::vec3, 4> kPointColors{
     {{1.0F, 0.8F, 0.1F}, {0.1F, 0.3F, 1.0F}, {1.0F, 0.1F, 0.05F}, {0.5F, 0.0F, 0.5F}}};
 
@@ -65,8 +65,8 @@ PhotonMapping::PhotonMapping(const IntegratorInput& input)
       raysSaved_(device_.context, "count of shadow rays saved") {}
 
 void PhotonMapping::renderPass(std::uint32_t pass) {
-    // Where each pixel's path first meets a diffuse surface, through mirrors and glass, and the emission on the way; at
-    // rough metal and glass also the light that comes there straight from a lamp
+    // Each pixel's first diffuse surface, through mirrors and glass, and the emission on the way; at rough metal and
+    // glass also the direct light
     device_.commands.clear(direct_.buffer());
     cameraPaths_.generate(pass);
     cameraPaths_.follow(pass, visiblePoints_, emitted_, &direct_);
@@ -141,21 +141,21 @@ void PhotonMapping::noteMaps() {
     }
     if (maps_.hasTargets() && settings.causticPhotons > 0 && lists.caustic.empty()) {
         warn("none of the " + std::to_string(settings.causticPhotons) +
-             " caustic photons reached a diffuse surface by way of a mirror or glass: there are no caustics (can the "
+             " caustic photons reached a diffuse surface through a mirror or glass: there are no caustics (can the "
              "lights reach anything specular?)");
     }
     if (!lists.global.empty() && lists.global.size() < settings.nearest) {
         warn("the global map holds " + std::to_string(lists.global.size()) + " photons, fewer than render.nearest = " +
-             std::to_string(settings.nearest) + ": every estimate takes all that lie within its radius");
+             std::to_string(settings.nearest) + ": every estimate uses all photons within its radius");
     }
 }
 
 void PhotonMapping::renderLight(std::uint32_t pass) {
-    // Light straight from the lamps to diffuse surfaces, lamp by lamp, with a shadow ray where the photons do not tell
+    // Direct light on diffuse surfaces, one light at a time, with a shadow ray where the photons do not decide
     sampleDirectLight(pass);
-    // Light by way of mirrors and glass alone
+    // Light that comes only by mirrors and glass
     maps_.estimateCaustics(visiblePoints_, caustic_, radii_);
-    // Light by way of other diffuse surfaces
+    // Light that comes by other diffuse surfaces
     if (scene_.render.photonMap.gatherRays > 0) {
         gatherIndirectLight(pass);
     } else {
@@ -212,7 +212,7 @@ void PhotonMapping::gatherIndirectLight(std::uint32_t pass) {
                      pixels);
         commands.clear(gatherPoints_.buffer());
         cameraPaths_.start(pixels);
-        // Light straight from lamps, wherever it falls on the way, is caustic or direct light
+        // Emission and direct light along the gathering rays are skipped: caustic and direct light already contain them
         cameraPaths_.follow(gather, gatherPoints_, unused_, nullptr);
         if (settings.precomputedIrradiance) {
             maps_.addIrradiance(gatherPoints_, indirect_, scale);

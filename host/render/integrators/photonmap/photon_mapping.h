@@ -1,5 +1,5 @@
-// Photon mapping in two passes [Jensen96, Jensen01]: photons from the lights into maps, then rays from the eye that ask
-// the maps what they do not compute themselves.
+// Photon mapping in two passes [Jensen96, Jensen01]: photons from the lights fill the maps, then camera paths query the
+// maps for the light that they do not compute themselves.
 #pragma once
 
 #include "render/integrators/integrator.h"
@@ -15,7 +15,7 @@ public:
 
     explicit PhotonMapping(const IntegratorInput& input);
 
-    // Makes the maps: of photons that it traces, or of those in a file.
+    // Builds the maps from photons that it traces or loads from a file.
     void begin() override;
     // One sample per pixel.
     void renderPass(std::uint32_t pass) override;
@@ -44,16 +44,16 @@ private:
     gpu::Array<shared::VisiblePoint> visiblePoints_;
     gpu::Array<shared::VisiblePoint> gatherPoints_; // where gathering rays end
     gpu::Array<glm::vec3> emitted_;
-    gpu::Array<glm::vec3> unused_; // emission that gathering rays see: direct and caustic light has it already
+    gpu::Array<glm::vec3> unused_; // emission seen by gathering rays: direct and caustic light already contain it
     gpu::Array<glm::vec3> direct_;
     gpu::Array<glm::vec3> caustic_;
     gpu::Array<glm::vec3> indirect_;
-    gpu::Array<glm::vec3> found_; // by the gathering rays
+    gpu::Array<glm::vec3> found_; // light found by the gathering rays
     gpu::Array<glm::vec3> points_;
     gpu::Array<float> radii_;
     gpu::Array<shared::uint> lit_;
     gpu::Array<shared::uint> shadowed_;
-    DeviceCounter raysSaved_; // shadow rays that shadow photons spared
+    DeviceCounter raysSaved_; // shadow rays that shadow photons replaced
 };
 
 } // namespace hyalite::render

@@ -18,7 +18,7 @@ enum Layer : std::uint32_t { kEmitted, kDirect, kCaustic, kIndirect };
 } // namespace
 
 double searchRadius(double initial, double alpha, std::uint32_t pass) {
-    // r^2_{i+1} = r^2_i (i + alpha) / (i + 1), passes counted from 1 there and from 0 here
+    // r^2_{i+1} = r^2_i (i + alpha) / (i + 1), where the paper counts passes from 1 and the code from 0
     double radius2 = initial * initial;
     for (std::uint32_t i = 1; i <= pass; ++i) {
         radius2 *= (i + alpha) / (i + 1.0);
@@ -33,7 +33,7 @@ IntegratorKind Ppm::kind() {
             },
             .make = makeIntegrator<Ppm>,
             .reference = reference::renderPpm,
-            .simplifyForPaths = [](RenderSettings& render) { // no radius need be found
+            .simplifyForPaths = [](RenderSettings& render) { // no search radius has to be found
                 render.radius = 1;
                 render.photonMap.causticRadius = 1;
             }};
@@ -103,17 +103,17 @@ double Ppm::radiusByPilot(const Photons& photons) {
 }
 
 void Ppm::renderPass(std::uint32_t pass) {
-    // Where each pixel's path first meets a diffuse surface, through mirrors and glass, and the emission on the way; at
-    // rough metal and glass also the light that comes there straight from a lamp
+    // Each pixel's first diffuse surface, through mirrors and glass, and the emission on the way; at rough metal and
+    // glass also the direct light
     device_.commands.clear(direct_.buffer());
     cameraPaths_.generate(pass);
     cameraPaths_.follow(pass, visiblePoints_, emitted_, &direct_);
-    // Light that comes to the diffuse surface straight from a lamp
+    // Direct light on the diffuse surface
     sampleDirectLight(pass);
     film_.add(device_, kEmitted, emitted_);
     film_.add(device_, kDirect, direct_);
-    // Light that comes by way of other surfaces, as flux landing all over the scene, whose density about each visible
-    // point is the rest of its light: by way of diffuse ones, and of mirrors and glass alone
+    // Light that comes by other surfaces: photons deposit flux all over the scene, and its density around each visible
+    // point is the rest of the point's light, from diffuse surfaces and from mirrors and glass alone
     for (const Photons& photons : photons_) {
         gather(photons, pass);
         film_.add(device_, photons.layer, gathered_);

@@ -9,7 +9,7 @@
 
 namespace hyalite::render {
 
-// Search radius of a pass: the first pass searches `initial` [m], later ones less, such that a share alpha of the
+// Search radius of a pass: the first pass searches `initial` [m], later ones less, so that the share alpha of the
 // photons that a constant radius would add is kept, and both bias and variance vanish [Knaus11].
 [[nodiscard]] double searchRadius(double initial, double alpha, std::uint32_t pass);
 
@@ -19,7 +19,7 @@ public:
 
     explicit Ppm(const IntegratorInput& input);
 
-    // Where the settings leave a search radius open, finds it by the density of a few photons.
+    // If the settings leave a search radius open, determines it from the density of a few photons.
     void prepare() override;
     void renderPass(std::uint32_t pass) override;
 
@@ -28,10 +28,10 @@ private:
     struct Photons {
         std::uint32_t purpose; // shared::kGlobalPhotons, kCausticPhotons
         std::uint32_t count;   // emitted
-        std::uint32_t kinds;   // that are stored, see PhotonPass
+        std::uint32_t kinds;   // kinds stored, see PhotonPass
         bool aimed;
         std::uint32_t layer;
-        double radius; // of pass 0 [m]; 0: prepare() finds it
+        double radius; // search radius of pass 0 [m]; 0: prepare() determines it
     };
     [[nodiscard]] static std::vector<Photons> photonsOf(const Scene& scene, const DeviceScene& deviceScene);
     [[nodiscard]] PhotonPass photonPass(const Photons& photons, std::uint32_t pass) const;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t kSlotsOfPath = 2; // for a reflected ray and a refracted one
 
-// The camera ray itself is neither reflection nor refraction.
+// The camera ray itself is neither a reflection nor a refraction.
 std::uint32_t levelsOf(const Scene& scene) {
     return scene.render.maxDepth + 1;
 }
@@ -34,10 +34,10 @@ Whitted::Whitted(const IntegratorInput& input)
 Whitted::Level& Whitted::levelFor(std::uint32_t depth, std::uint32_t count) {
     Level& level = levels_.at(depth % 2);
     if (level.capacity() < count) {
-        // Kept for the passes to come, whose levels are of much the same size; the first has a ray per pixel in each
+        // Kept for later passes, whose levels have nearly the same size; the first level always has one ray per pixel
         const std::uint32_t capacity = depth == 1 ? count : count + count / 4;
         const gpu::Context& context = device_.context;
-        device_.commands.finish(); // what was recorded may use those that are replaced
+        device_.commands.finish(); // recorded commands may use the buffers that are replaced
         level = {};
         level = {.slots = {context, capacity, "slots of rays"},
                  .nextRays = {context, std::size_t{kSlotsOfPath} * capacity, "next rays"},
@@ -66,7 +66,7 @@ void Whitted::renderPass(std::uint32_t pass) {
     const bool isFirst = levels_[1].capacity() == 0;
     levelFor(1, film_.pixelCount());
     std::vector<std::uint32_t> rays = traceTrees(pass, isFirst || device_.commands.runsOneByOne());
-    if (!hadRoom(rays)) { // more than in the passes before: once more, level by level
+    if (!hadRoom(rays)) { // more rays than in earlier passes: repeat, level by level
         shadowRays_.set(shadowRaysBefore);
         rays = traceTrees(pass, /*waits*/ true);
     }
@@ -79,7 +79,7 @@ void Whitted::renderPass(std::uint32_t pass) {
 }
 
 std::vector<std::uint32_t> Whitted::traceTrees(std::uint32_t pass, bool waits) {
-    // One level of every pixel's tree of rays at a time
+    // Traces one level of every pixel's ray tree at a time
     sizes_.begin(device_, film_.pixelCount());
     std::uint32_t traced = 0;
     for (std::uint32_t depth = 1; depth <= levelsOf(scene_); ++depth) {
@@ -87,7 +87,7 @@ std::vector<std::uint32_t> Whitted::traceTrees(std::uint32_t pass, bool waits) {
             break;
         }
         trace(pass, depth);
-        if (depth > 1) { // the rays of a pixel stand together, so that their sum has one order
+        if (depth > 1) { // the rays of a pixel are contiguous, so that their sum has a fixed order
             const Level& level = levels_.at(depth % 2);
             const gpu::ThreadCount threads = sizes_.threads();
             device_.commands.run(sumPaths_,

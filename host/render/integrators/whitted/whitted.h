@@ -1,4 +1,5 @@
-// Recursive reflection and refraction [Whitted80], the recursion unrolled into the levels of the trees of all pixels.
+// Recursive reflection and refraction [Whitted80], with the recursion unrolled into the levels of all pixels' ray
+// trees.
 #pragma once
 
 #include "render/integrators/integrator.h"
@@ -20,9 +21,9 @@ public:
     void renderPass(std::uint32_t pass) override;
 
 private:
-    // Everything that has one element per ray of a level, or two for the rays that go on from it.
+    // The buffers with one element per ray of a level, or two for its next rays.
     struct Level {
-        gpu::Array<shared::uint> slots;   // of the level before, where this one's rays stand
+        gpu::Array<shared::uint> slots;   // slots of the previous level that hold this level's rays
         gpu::Array<shared::Ray> nextRays; // two slots each
         gpu::Array<shared::CameraPath> nextPaths;
         gpu::Array<shared::uint> alive; // slots in use
@@ -32,7 +33,7 @@ private:
 
         [[nodiscard]] std::uint32_t capacity() const { return static_cast<std::uint32_t>(alive.count()); }
     };
-    // What a level also leaves for who looks on.
+    // The additional buffers that a level writes for observers.
     struct Kept {
         gpu::Array<shared::Ray> rays;
         gpu::Array<shared::CameraPath> paths;
@@ -41,15 +42,15 @@ private:
         gpu::Array<shared::VisiblePoint> visiblePoints;
     };
 
-    // Makes room for `count` rays of the level at this depth, whose last contents are lost if there was not enough.
+    // Makes room for `count` rays of the level at this depth; replacing buffers loses their contents.
     Level& levelFor(std::uint32_t depth, std::uint32_t count);
     void keepFor(std::uint32_t count);
-    // Traces the trees of all pixels and returns how many rays each level has. Levels have the room of the passes
-    // before; only if it `waits` for the device at every level it makes room for what comes.
+    // Traces the trees of all pixels and returns the number of rays in each level. Levels have the capacity of earlier
+    // passes; only with `waits` it waits for the device at every level and makes room for the next one.
     [[nodiscard]] std::vector<std::uint32_t> traceTrees(std::uint32_t pass, bool waits);
-    // Lists the rays of the level below this one.
+    // Lists the rays of the next level.
     void listNext(std::uint32_t depth, bool waits);
-    // Had each level room for so many rays?
+    // Did each level have room for this many rays?
     [[nodiscard]] bool hadRoom(const std::vector<std::uint32_t>& rays) const;
     void trace(std::uint32_t pass, std::uint32_t depth);
 
@@ -61,12 +62,12 @@ private:
     gpu::Kernel traceWhitted_;
     gpu::Kernel sumPaths_;
     NextRays nextRays_;
-    QueueSizes sizes_; // of the levels
+    QueueSizes sizes_; // sizes of the levels
     RoughLight roughLight_;
     DeviceCounter shadowRays_;
-    std::array<Level, 2> levels_; // of even and of odd depth: each reads what the one before has left
+    std::array<Level, 2> levels_; // of even and odd depth: each reads the output of the other
     Kept kept_;
-    gpu::Array<glm::vec3> radiance_; // of the pass, by pixel
+    gpu::Array<glm::vec3> radiance_; // of the pass, per pixel
 };
 
 } // namespace hyalite::render
