@@ -29,13 +29,26 @@ void DeviceTracer::load(const RaySet& set) {
 void DeviceTracer::trace() {
     const auto count = static_cast<std::uint32_t>(rays_.count());
     if (shadow_) {
-        device_.commands.run(
-            traceShadow_,
-            shared::TraceShadowArguments{rays_, contributions_, direct_, count, deviceScene_.rootNode, kInOrder},
-            count);
+        device_.commands.run(traceShadow_,
+                             shared::TraceShadowArguments{.shadowRays = rays_,
+                                                          .contributions = contributions_,
+                                                          .direct = direct_,
+                                                          .count = count,
+                                                          .rootNode = deviceScene_.rootNode,
+                                                          .width = kInOrder,
+                                                          .live = {},
+                                                          .rayCount = {},
+                                                          .paths = {}},
+                             count);
     } else {
-        device_.commands.run(
-            traceClosest_, shared::TraceClosestArguments{rays_, hits_, count, deviceScene_.rootNode, kInOrder}, count);
+        device_.commands.run(traceClosest_,
+                             shared::TraceClosestArguments{.rays = rays_,
+                                                           .hits = hits_,
+                                                           .count = count,
+                                                           .rootNode = deviceScene_.rootNode,
+                                                           .width = kInOrder,
+                                                           .live = {}},
+                             count);
     }
     device_.commands.finish();
 }
@@ -43,10 +56,10 @@ void DeviceTracer::trace() {
 std::vector<float> DeviceTracer::ends() const {
     constexpr float kNothing = std::numeric_limits<float>::infinity();
     std::vector<float> ends;
-    for (const glm::vec3& direct : direct_.host()) {
+    for (const glm::vec3& direct : direct_.read()) {
         ends.push_back(direct.x > 0 ? kNothing : 0);
     }
-    for (const shared::Hit& hit : hits_.host()) {
+    for (const shared::Hit& hit : hits_.read()) {
         ends.push_back(hit.object == shared::kNone ? kNothing : hit.t);
     }
     return ends;

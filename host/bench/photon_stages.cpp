@@ -104,7 +104,7 @@ private:
         };
         build();
         add("tree", "photons", tree.photonCount(), build);
-        const render::RadianceEstimate estimate(device_, deviceScene_, PhotonStructure::Tree, kNearest);
+        render::RadianceEstimate estimate(device_, deviceScene_, PhotonStructure::Tree, kNearest);
         const render::PhotonSearch search{.nearest = kNearest,
                                           .radius = static_cast<float>(kLargestEstimate * sceneRadius(scene_)),
                                           .kinds = kKinds,

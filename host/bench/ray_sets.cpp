@@ -24,11 +24,6 @@ std::vector<shared::Ray> inTiles(std::span<const shared::Ray> pixels, std::uint3
     return rays;
 }
 
-std::vector<shared::Ray> copyOf(const gpu::Array<shared::Ray>& rays, std::size_t count) {
-    const auto all = rays.host().first(count);
-    return {all.begin(), all.end()};
-}
-
 // By a generator that the standard defines, so the same everywhere; its modulus is biased by 2^-40.
 std::vector<shared::Ray> shuffled(std::vector<shared::Ray> rays) {
     std::mt19937_64 random(1);
@@ -55,24 +50,32 @@ std::vector<RaySet> makeRaySets(render::Device& device, const Scene& scene, cons
     std::vector<RaySet> sets;
     paths.generate(0);
     device.commands.finish();
-    sets.push_back({"camera", false, inTiles(paths.queue().rays.host().first(pixels), width)});
+    sets.push_back({"camera", false, inTiles(paths.queue().rays.read(0, pixels), width)});
     paths.follow(0, visiblePoints, met, nullptr, [&](std::uint32_t depth) {
-        const render::CameraQueue& queue = paths.queue();
+        render::CameraQueue& queue = paths.queue();
+        const gpu::ThreadCount threads = queue.threads();
         device.commands.run(bouncePaths,
-                            shared::BouncePathsArguments{queue.paths, visiblePoints, deviceScene.materials,
-                                                         queue.nextRays, queue.nextPaths, queue.alive, queue.count,
-                                                         depth, kSegments, 0},
-                            queue.count);
+                            shared::BouncePathsArguments{.paths = queue.paths,
+                                                         .visiblePoints = visiblePoints,
+                                                         .materials = deviceScene.materials,
+                                                         .nextRays = queue.nextRays,
+                                                         .nextPaths = queue.nextPaths,
+                                                         .alive = queue.alive,
+                                                         .count = threads.most(),
+                                                         .depth = depth,
+                                                         .maxDepth = kSegments,
+                                                         .pass = 0,
+                                                         .live = threads.live()},
+                            threads);
         if (depth == 1) {
             lights.sample(visiblePoints, shared::kNone, 0, kSegments);
             device.commands.finish();
-            RaySet shadow{"shadow", true, inTiles(lights.shadowRays().host(), width)};
+            RaySet shadow{"shadow", true, inTiles(lights.shadowRays().read(), width)};
             std::erase_if(shadow.rays, [](const shared::Ray& ray) { return ray.tMax <= 0; });
             sets.push_back(std::move(shadow));
         }
         if (depth == 2) {
-            device.commands.finish();
-            sets.push_back({"bounce", false, copyOf(queue.rays, queue.count)});
+            sets.push_back({"bounce", false, queue.rays.read(0, queue.sizes.read(device).count)});
             sets.push_back({"shuffled", false, shuffled(sets.back().rays)});
         }
     });

@@ -13,7 +13,7 @@ struct Buffer::Impl {
     std::size_t bytes = 0; // as asked for; the Vulkan buffer is rounded up to whole texels
     vk::raii::DeviceMemory memory = nullptr;
     vk::raii::Buffer buffer = nullptr;
-    std::byte* mapped = nullptr;
+    std::byte* mapped = nullptr; // none where the host does not see it
     std::uint64_t address = 0;
     Context::Impl* owner = nullptr; // that lists this buffer by its address
 

@@ -9,7 +9,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
+#include <cstring>
 #include <set>
+#include <utility>
 
 namespace hyalite::gpu {
 namespace {
@@ -21,19 +24,22 @@ constexpr std::uint32_t kGroupsPerPiece = shared::kGroupsPerRow;
 constexpr std::uint64_t kThreadsPerSubmission = std::uint64_t(1) << 23U;
 
 constexpr std::uint32_t kQueriesPerPool = 256;
+constexpr std::uint32_t kSpansPerPool = kQueriesPerPool / 2;
 
 // One timed span: two successive timestamps.
 struct Span {
     std::string name;
     std::uint64_t dispatches = 0;
     std::uint64_t threads = 0;
+    const ThreadCount* onDevice = nullptr; // while it is recorded: where the number of threads stands
+    bool isCounted = false;                // it is among Impl::counts
 };
 
 // Everything before it is done, and seen by everything after it.
 void recordBarrier(const vk::raii::CommandBuffer& buffer, vk::PipelineStageFlags2 after, vk::AccessFlags2 access) {
     using Stage = vk::PipelineStageFlagBits2;
     using Access = vk::AccessFlagBits2;
-    const vk::MemoryBarrier2 barrier{.srcStageMask = Stage::eComputeShader | Stage::eAllTransfer,
+    const vk::MemoryBarrier2 barrier{.srcStageMask = Stage::eComputeShader | Stage::eDrawIndirect | Stage::eAllTransfer,
                                      .srcAccessMask = Access::eShaderWrite | Access::eTransferWrite,
                                      .dstStageMask = after,
                                      .dstAccessMask = access};
@@ -43,13 +49,63 @@ void recordBarrier(const vk::raii::CommandBuffer& buffer, vk::PipelineStageFlags
 void recordBarrier(const vk::raii::CommandBuffer& buffer) {
     using Stage = vk::PipelineStageFlagBits2;
     using Access = vk::AccessFlagBits2;
-    recordBarrier(buffer, Stage::eComputeShader | Stage::eAllTransfer,
-                  Access::eShaderRead | Access::eShaderWrite | Access::eTransferWrite);
+    recordBarrier(buffer, Stage::eComputeShader | Stage::eDrawIndirect | Stage::eAllTransfer,
+                  Access::eShaderRead | Access::eShaderWrite | Access::eIndirectCommandRead | Access::eTransferRead |
+                      Access::eTransferWrite);
+}
+
+std::uint32_t groupsOf(std::uint32_t threads) {
+    return (threads - 1) / shared::kGroupSize + 1;
+}
+
+// When nothing runs.
+std::uint32_t countNow(const ThreadCount& threads) {
+    if (!threads.isOnDevice()) {
+        return threads.most();
+    }
+    shared::QueueSize size{};
+    threads.sizes().read(std::as_writable_bytes(std::span(&size, 1)), threads.offset());
+    return std::min(size.count, threads.most());
+}
+
+const StructMember* findMember(const KernelInterface& interface, const std::string& name) {
+    for (const auto& [type, members] : interface.structs) {
+        if (type.ends_with("Arguments")) {
+            const auto found = std::ranges::find(members, name, &StructMember::name);
+            return found == members.end() ? nullptr : &*found;
+        }
+    }
+    return nullptr;
+}
+
+// The arguments with the `count` that their `live` gives when nothing runs: see shared/kernel_arguments.h.
+std::vector<std::byte> withCountNow(const Context& context, const KernelInterface& interface,
+                                    std::span<const std::byte> arguments) {
+    std::vector<std::byte> resolved(arguments.begin(), arguments.end());
+    const StructMember* live = findMember(interface, "live");
+    const StructMember* count = findMember(interface, "count");
+    if (live == nullptr || count == nullptr) {
+        return resolved;
+    }
+    std::uint64_t address = 0;
+    std::memcpy(&address, arguments.data() + live->offset, sizeof address);
+    const std::span<const std::byte> memory = context.memoryAt(address);
+    if (memory.size() < sizeof(shared::QueueSize)) {
+        return resolved;
+    }
+    std::uint32_t most = 0;
+    std::uint32_t now = 0;
+    std::memcpy(&most, arguments.data() + count->offset, sizeof most);
+    std::memcpy(&now, memory.data() + offsetof(shared::QueueSize, count), sizeof now);
+    now = std::min(now, most);
+    std::memcpy(resolved.data() + count->offset, &now, sizeof now);
+    return resolved;
 }
 
 } // namespace
 
 struct Commands::Impl {
+    const Context& owner;
     const Context::Impl& context;
     const TexelTables::Impl& tables;
     bool timed;
@@ -60,13 +116,14 @@ struct Commands::Impl {
     std::uint64_t threadsRecorded = 0; // in it
     vk::raii::Fence fence = nullptr;
     std::vector<vk::raii::QueryPool> queries;
-    std::vector<Span> spans;      // of the work that is not finished; span i has timestamps 2 i and 2 i + 1
-    std::set<std::string> stages; // of the work that is not finished
+    std::vector<Array<std::uint32_t>> counts; // by pool: threads of each span whose number stands on the device
+    std::vector<Span> spans;                  // of the work that is not finished; span i has timestamps 2 i and 2 i + 1
+    std::set<std::string> stages;             // of the work that is not finished
     std::map<std::string, StageTime> times;
     std::shared_ptr<std::vector<DispatchObserver*>> observers = std::make_shared<std::vector<DispatchObserver*>>();
 
-    Impl(const Context::Impl& owner, const TexelTables::Impl& allTables, bool isTimed)
-        : context(owner), tables(allTables), timed(isTimed),
+    Impl(const Context& itsOwner, const TexelTables::Impl& allTables, bool isTimed)
+        : owner(itsOwner), context(itsOwner.impl()), tables(allTables), timed(isTimed),
           pool(context.device, vk::CommandPoolCreateInfo{.queueFamilyIndex = context.queueFamily}),
           fence(context.device, vk::FenceCreateInfo{}) {}
 
@@ -78,9 +135,10 @@ struct Commands::Impl {
     // Records `body` between two timestamps and a barrier after it.
     template <class Body>
     void record(const Span& span, const Body& body);
+    // Keeps the number of threads that the next span has on the device.
+    void copyCount(const ThreadCount& threads);
     void addTimes();
-    // Until all that was submitted with the fence is done, or the watchdog has enough.
-    void wait() const;
+    [[nodiscard]] std::string stageNames() const;
 };
 
 const vk::raii::CommandBuffer& Commands::Impl::recorder() {
@@ -124,13 +182,29 @@ void Commands::Impl::record(const Span& span, const Body& body) {
     stages.insert(span.name);
     if (timed) {
         writeTimestamp(2 * spans.size());
+        if (span.onDevice != nullptr) {
+            copyCount(*span.onDevice);
+        }
     }
     body();
     recordBarrier(recorder());
     if (timed) {
         writeTimestamp(2 * spans.size() + 1);
         spans.push_back(span);
+        spans.back().isCounted = span.onDevice != nullptr;
+        spans.back().onDevice = nullptr;
     }
+}
+
+void Commands::Impl::copyCount(const ThreadCount& threads) {
+    const std::size_t part = spans.size() / kSpansPerPool;
+    while (counts.size() <= part) {
+        counts.emplace_back(owner, kSpansPerPool, "threads of stages", Memory::Host);
+    }
+    recorder().copyBuffer(*threads.sizes().impl()->buffer, *counts[part].buffer().impl()->buffer,
+                          vk::BufferCopy{.srcOffset = threads.offset() + offsetof(shared::QueueSize, count),
+                                         .dstOffset = spans.size() % kSpansPerPool * sizeof(std::uint32_t),
+                                         .size = sizeof(std::uint32_t)});
 }
 
 void Commands::Impl::addTimes() {
@@ -142,35 +216,24 @@ void Commands::Impl::addTimes() {
         requireSuccess(result, "reading timestamps");
         StageTime& time = times[spans[i].name];
         time.seconds += double((ticks[1] - ticks[0]) & context.timestampMask) * context.secondsPerTick;
-        time.dispatches += spans[i].dispatches;
-        time.threads += spans[i].threads;
+        const std::uint64_t threads =
+            spans[i].isCounted ? counts[i / kSpansPerPool].host()[i % kSpansPerPool] : spans[i].threads;
+        time.dispatches += spans[i].isCounted && threads == 0 ? 0 : spans[i].dispatches;
+        time.threads += threads;
     }
     spans.clear();
 }
 
-void Commands::Impl::wait() const {
-    const vk::Result result = context.device.waitForFences(*fence, VK_TRUE, nanoseconds(context.watchdog.limit));
-    if (result == vk::Result::eTimeout) {
-        std::string names;
-        for (const std::string& stage : stages) {
-            names += (names.empty() ? "" : ", ") + stage;
-        }
-        const Error stuck(ExitCode::Device,
-                          context.info.name + " has not finished within " + numberText(context.watchdog.limit) +
-                              " s (stages " + names + ')',
-                          "it hangs, or the work is too much for it: --device-timeout allows more; a checkpoint keeps "
-                          "what was done before");
-        if (context.watchdog.onStuck) {
-            context.watchdog.onStuck(stuck.what());
-        }
-        throw Error(stuck);
+std::string Commands::Impl::stageNames() const {
+    std::string names;
+    for (const std::string& stage : stages) {
+        names += (names.empty() ? "" : ", ") + stage;
     }
-    requireSuccess(result, "waiting for the device");
+    return names;
 }
 
 Commands::Commands(const Context& context, const TexelTables& tables, bool timed)
-    : impl_(checked("making a command list",
-                    [&] { return std::make_unique<Impl>(context.impl(), tables.impl(), timed); })) {}
+    : impl_(checked("making a command list", [&] { return std::make_unique<Impl>(context, tables.impl(), timed); })) {}
 
 Commands::~Commands() {
     // Portions may be running still, in memory that goes away now.
@@ -183,8 +246,8 @@ Commands::~Commands() {
     }
 }
 
-void Commands::run(const Kernel& kernel, std::span<const std::byte> arguments, std::uint32_t threads) {
-    if (threads == 0) {
+void Commands::run(const Kernel& kernel, std::span<const std::byte> arguments, const ThreadCount& threads) {
+    if (threads.most() == 0) {
         return;
     }
     const Kernel::Impl& implementation = kernel.impl();
@@ -199,9 +262,22 @@ void Commands::run(const Kernel& kernel, std::span<const std::byte> arguments, s
                                                 " in another format than it was set in");
         }
     }
-    const std::uint32_t groups = (threads - 1) / shared::kGroupSize + 1;
-    if constexpr (kCheckedKernels) {
+    if (!runsOneByOne() && !threads.isOnDevice()) {
+        record(kernel, arguments, {.first = 0, .end = groupsOf(threads.most()), .threads = threads.most()});
+    } else if (!runsOneByOne() && threads.most() <= kThreadsPerSubmission) {
+        recordIndirect(kernel, arguments, threads);
+    } else {
         finish();
+        if (const std::uint32_t count = countNow(threads); count > 0) {
+            runAlone(kernel, arguments, count);
+        }
+    }
+}
+
+// When all work before is finished.
+void Commands::runAlone(const Kernel& kernel, std::span<const std::byte> arguments, std::uint32_t threads) {
+    const std::uint32_t groups = groupsOf(threads);
+    if constexpr (kCheckedKernels) {
         impl_->tables.describeBuffers();
     }
     const std::vector<DispatchObserver*>& observers = *impl_->observers;
@@ -209,14 +285,14 @@ void Commands::run(const Kernel& kernel, std::span<const std::byte> arguments, s
         record(kernel, arguments, {.first = 0, .end = groups, .threads = threads});
         if constexpr (kCheckedKernels) {
             finish();
-            if (const std::string what = impl_->tables.indexOutside(implementation.sources); !what.empty()) {
+            if (const std::string what = impl_->tables.indexOutside(kernel.impl().sources); !what.empty()) {
                 throw Error(ExitCode::Device, "kernel '" + kernel.name() + "': " + what);
             }
         }
         return;
     }
-    const Dispatch dispatch{kernel, arguments, threads};
-    finish();
+    const std::vector<std::byte> seen = withCountNow(impl_->owner, kernel.interface(), arguments);
+    const Dispatch dispatch{kernel, seen, threads};
     for (auto observer = observers.rbegin(); observer != observers.rend(); ++observer) {
         (*observer)->before(dispatch);
     }
@@ -268,6 +344,25 @@ void Commands::record(const Kernel& kernel, std::span<const std::byte> arguments
     });
 }
 
+void Commands::recordIndirect(const Kernel& kernel, std::span<const std::byte> arguments, const ThreadCount& threads) {
+    const Kernel::Impl& implementation = kernel.impl();
+    checked("recording kernel '" + kernel.name() + '\'', [&] {
+        impl_->record({.name = kernel.name(), .dispatches = 1, .threads = 0, .onDevice = &threads}, [&] {
+            const vk::raii::CommandBuffer& buffer = impl_->recorder();
+            buffer.bindPipeline(vk::PipelineBindPoint::eCompute, *implementation.pipeline);
+            buffer.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *implementation.layout, 0, *impl_->tables.set,
+                                      nullptr);
+            buffer.pushConstants<std::byte>(*implementation.layout, vk::ShaderStageFlagBits::eCompute, 0, arguments);
+            buffer.dispatchIndirect(*threads.sizes().impl()->buffer,
+                                    threads.offset() + offsetof(shared::QueueSize, groupsX));
+            impl_->threadsRecorded += threads.most();
+            if (impl_->threadsRecorded >= kThreadsPerSubmission) {
+                impl_->submit({});
+            }
+        });
+    });
+}
+
 void Commands::prepare(const Kernel& kernel) {
     checked("preparing kernel '" + kernel.name() + '\'', [&] {
         const Kernel::Impl& implementation = kernel.impl();
@@ -301,6 +396,37 @@ void Commands::clear(const Buffer& buffer, std::size_t bytes) {
     });
 }
 
+void Commands::copy(const Buffer& from, const Buffer& to) {
+    if (from.bytes() == 0) {
+        return;
+    }
+    if (from.bytes() > to.bytes()) {
+        throw Error(ExitCode::BadInput, "cannot copy " + std::to_string(from.bytes()) + " bytes to a buffer of " +
+                                            std::to_string(to.bytes()));
+    }
+    checked("recording a copy", [&] {
+        impl_->record({.name = "copy", .dispatches = 1, .threads = 0}, [&] {
+            impl_->recorder().copyBuffer(*from.impl()->buffer, *to.impl()->buffer,
+                                         vk::BufferCopy{.srcOffset = 0, .dstOffset = 0, .size = from.bytes()});
+        });
+    });
+}
+
+void Commands::set(const Buffer& buffer, std::span<const std::byte> bytes) {
+    constexpr std::size_t kMost = 65536; // that a command may carry
+    if (bytes.empty()) {
+        return;
+    }
+    if (bytes.size() % 4 != 0 || bytes.size() > kMost || bytes.size() > (buffer.bytes() + 3) / 4 * 4) {
+        throw Error(ExitCode::BadInput, "cannot set " + std::to_string(bytes.size()) + " bytes of a buffer of " +
+                                            std::to_string(buffer.bytes()));
+    }
+    checked("recording values", [&] {
+        impl_->record({.name = "set", .dispatches = 1, .threads = 0},
+                      [&] { impl_->recorder().updateBuffer<std::byte>(*buffer.impl()->buffer, 0, bytes); });
+    });
+}
+
 void Commands::finish() {
     if (impl_->used == 0) {
         return;
@@ -309,7 +435,7 @@ void Commands::finish() {
         using Stage = vk::PipelineStageFlagBits2;
         recordBarrier(impl_->recorder(), Stage::eHost, vk::AccessFlagBits2::eHostRead);
         impl_->submit(*impl_->fence);
-        impl_->wait();
+        impl_->context.wait(impl_->fence, impl_->stageNames());
         impl_->context.device.resetFences(*impl_->fence);
         impl_->stages.clear();
         impl_->addTimes();
@@ -320,6 +446,10 @@ void Commands::finish() {
 
 Observation Commands::observe(DispatchObserver& observer) {
     return {impl_->observers, &observer};
+}
+
+bool Commands::runsOneByOne() const {
+    return kCheckedKernels || !impl_->observers->empty();
 }
 
 bool Commands::areBuffersRead() const {

@@ -1,9 +1,11 @@
 // Makes the instance, the device and its queue, and listens to the validation layer.
 #include "gpu/context_impl.h"
 
+#include "gpu/buffer_impl.h"
 #include "gpu/checked_kernels.h"
 #include "gpu/driver_hint.h"
 #include "gpu/lavapipe.h"
+#include "gpu/staging.h"
 
 #include <algorithm>
 #include <array>
@@ -119,6 +121,8 @@ void open(Context::Impl& impl, const ContextOptions& options) {
     readLimits(impl);
     impl.device = makeDevice(impl);
     impl.queue = impl.device.getQueue(impl.queueFamily, 0);
+    impl.staged = options.staged;
+    impl.staging = std::make_unique<Staging>(impl);
 }
 
 } // namespace
@@ -147,25 +151,29 @@ std::span<std::byte> Context::memoryAt(std::uint64_t address) const {
     if (after == impl_->buffers.begin()) {
         return {};
     }
-    const auto& [begin, buffer] = *--after;
-    const std::span<std::byte> bytes = buffer.bytes;
-    return address - begin < bytes.size() ? bytes.subspan(address - begin) : std::span<std::byte>();
+    auto& [begin, listed] = *--after;
+    if (address - begin >= listed.bytes) {
+        return {};
+    }
+    std::span<std::byte> memory(listed.buffer->mapped, listed.bytes);
+    if (listed.buffer->mapped == nullptr) {
+        listed.copy.resize(listed.bytes);
+        memory = listed.copy;
+        impl_->staging->read(*listed.buffer, address - begin, memory.subspan(address - begin));
+    }
+    return memory.subspan(address - begin);
 }
 
 std::map<std::string, std::size_t> Context::memory() const {
     std::map<std::string, std::size_t> bytes;
     for (const auto& [address, buffer] : impl_->buffers) {
-        bytes[buffer.name] += buffer.bytes.size();
+        bytes[buffer.name] += buffer.bytes;
     }
     return bytes;
 }
 
 std::uint32_t Context::validationMessages() const {
     return impl_->log.messages;
-}
-
-void setWatchdog(const Context& context, Watchdog watchdog) {
-    context.impl().watchdog = std::move(watchdog);
 }
 
 void Context::Impl::nameObject(vk::ObjectType type, std::uint64_t handle, const std::string& name) const {

@@ -23,6 +23,7 @@ struct DeviceInfo {
 struct ContextOptions {
     std::string device;      // part of a device's name, or its index; empty: the first usable one, GPUs before software
     bool validation = false; // core and synchronization validation
+    bool staged = false;     // for tests: as if the host saw no memory but that of Memory::Host
     std::function<void(const std::string&)> onValidationMessage; // each message; default: stderr
 };
 
@@ -49,7 +50,8 @@ public:
     [[nodiscard]] const DeviceInfo& info() const;
     [[nodiscard]] std::uint32_t validationMessages() const; // how many came so far
 
-    // From a device address to the end of the buffer it lies in, as the host sees it; empty where there is no buffer.
+    // From a device address to the end of the buffer it lies in; empty where there is no buffer. Where the host does
+    // not see that memory it is a copy, which the next call for the same buffer renews. No dispatch may be in flight.
     [[nodiscard]] std::span<std::byte> memoryAt(std::uint64_t address) const;
 
     // Bytes of the buffers that exist, by name: several may share one.

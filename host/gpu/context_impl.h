@@ -1,6 +1,7 @@
 // What a Context holds. Members are in order of creation, so that they are destroyed in reverse.
 #pragma once
 
+#include "gpu/buffer.h"
 #include "gpu/context.h"
 #include "gpu/vulkan.h"
 #include "gpu/watchdog.h"
@@ -18,8 +19,12 @@ struct ValidationLog {
 
 struct ListedBuffer {
     std::string name;
-    std::span<std::byte> bytes;
+    std::size_t bytes = 0;
+    const Buffer::Impl* buffer = nullptr;
+    std::vector<std::byte> copy; // for memoryAt, where the host does not see the buffer
 };
+
+class Staging;
 
 struct Context::Impl {
     ValidationLog log;
@@ -32,6 +37,8 @@ struct Context::Impl {
     std::uint32_t workers = 1; // threads of the CPU that each take a block of a dispatch's groups; of a GPU one
     vk::raii::Device device = nullptr;
     vk::raii::Queue queue = nullptr;
+    std::unique_ptr<Staging> staging;
+    bool staged = false; // see ContextOptions
 
     vk::PhysicalDeviceLimits limits;
     vk::DeviceSize maxAllocation = 0;              // bytes of one memory allocation and of one buffer
@@ -40,6 +47,9 @@ struct Context::Impl {
     double secondsPerTick = 0;                     // of a timestamp
     std::map<std::uint64_t, ListedBuffer> buffers; // that exist, by device address
     Watchdog watchdog;
+
+    // Blocks until the fence signals. `stages`: what runs, for the watchdog's error.
+    void wait(const vk::raii::Fence& fence, const std::string& stages) const;
     void nameObject(vk::ObjectType type, std::uint64_t handle,
                     const std::string& name) const; // for validation messages
 };

@@ -33,6 +33,11 @@ std::vector<std::string> missingFeatures(const vk::raii::PhysicalDevice& physica
         const vk::FormatFeatureFlags use = physical.getFormatProperties(format).bufferFeatures;
         require(bool(use & vk::FormatFeatureFlagBits::eUniformTexelBuffer), "uniform texel buffers of 4 x 32 bits");
     }
+    const auto subgroup = physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceSubgroupProperties>()
+                              .get<vk::PhysicalDeviceSubgroupProperties>();
+    require(bool(subgroup.supportedStages & vk::ShaderStageFlagBits::eCompute) &&
+                bool(subgroup.supportedOperations & vk::SubgroupFeatureFlagBits::eArithmetic),
+            "sums over a subgroup");
     const auto families = physical.getQueueFamilyProperties();
     const auto computes = [](const vk::QueueFamilyProperties& family) {
         return bool(family.queueFlags & vk::QueueFlagBits::eCompute);

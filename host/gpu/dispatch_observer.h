@@ -15,8 +15,8 @@ namespace hyalite::gpu {
 
 struct Dispatch {
     const Kernel& kernel;
-    std::span<const std::byte> arguments; // the push constants
-    std::uint32_t threads;
+    std::span<const std::byte> arguments; // the push constants; of a queue on the device, `count` is its size now
+    std::uint32_t threads;                // > 0
 };
 
 // Called on either side of a dispatch, when nothing runs: buffers may be read, but not written.

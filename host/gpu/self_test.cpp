@@ -49,9 +49,9 @@ void check(bool right, const DeviceInfo& device, const std::string& what) {
 
 void selfTest(const Context& context, const KernelCompiler& compiler) {
     constexpr std::uint32_t count = shared::kSelfTestCount;
-    const Array<SelfTestRecord> records(context, count, "self-test records");
-    const Array<shared::vec4> texels(context, count, "self-test texels");
-    const Array<SelfTestAnswer> answers(context, count, "self-test answers");
+    const Array<SelfTestRecord> records(context, count, "self-test records", Memory::Host);
+    const Array<shared::vec4> texels(context, count, "self-test texels", Memory::Host);
+    const Array<SelfTestAnswer> answers(context, count, "self-test answers", Memory::Host);
     for (std::uint32_t i = 0; i < count; ++i) {
         records.host()[i] = recordOf(i);
         texels.host()[i] = texelOf(i);

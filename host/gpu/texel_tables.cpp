@@ -27,7 +27,7 @@ void TexelTables::Impl::describeBuffers() const {
     std::vector<std::array<std::uint32_t, 4>> texels(1);
     for (const auto& [address, buffer] : context->buffers) { // in ascending order
         texels.push_back({std::uint32_t(address), std::uint32_t(address >> 32U),
-                          std::uint32_t(std::min<std::size_t>(buffer.bytes.size(), UINT32_MAX)), 0});
+                          std::uint32_t(std::min<std::size_t>(buffer.bytes, UINT32_MAX)), 0});
     }
     if (texels.size() > kMostChecked + 1) {
         throw Error(ExitCode::Device, "more buffers than the checked build knows");
@@ -53,7 +53,7 @@ std::string TexelTables::Impl::indexOutside(const std::vector<std::string>& sour
 
 TexelTables::TexelTables(const Context& context, std::uint32_t bindings) : impl_(std::make_unique<Impl>()) {
     impl_->context = &context.impl();
-    impl_->dummy = Buffer(context, kTexelBytes, "empty texel table");
+    impl_->dummy = Buffer(context, kTexelBytes, "empty texel table", Memory::Host);
     std::memset(impl_->dummy.mapped().data(), 0, kTexelBytes);
     checked("making the texel tables", [&] {
         const vk::raii::Device& device = impl_->context->device;
@@ -91,7 +91,7 @@ TexelTables::TexelTables(const Context& context, std::uint32_t bindings) : impl_
         set(i, {}, TexelFormat::Float4); // a set must be valid as a whole
     }
     if constexpr (kCheckedKernels) {
-        impl_->checks = Buffer(context, kReportAt + kReportBytes, "lengths of buffers");
+        impl_->checks = Buffer(context, kReportAt + kReportBytes, "lengths of buffers", Memory::Host);
         impl_->checksView = impl_->show(kCheckBinding, *impl_->checks.impl(), TexelFormat::Uint4);
         impl_->describeBuffers();
     }

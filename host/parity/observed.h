@@ -4,6 +4,8 @@
 #include "gpu/buffer.h"
 #include "gpu/dispatch_observer.h"
 
+#include "shaders/shared/queue.h"
+
 #include <cstring>
 #include <map>
 #include <span>
@@ -69,5 +71,13 @@ private:
     std::vector<std::byte> arguments_;
     std::map<std::uint64_t, std::vector<std::byte>> copies_; // by address
 };
+
+// The photons that scatter_photon or cast_shadow_photons has left, one for each thread.
+template <class Arguments>
+[[nodiscard]] std::span<const shared::Photon> photonsStored(const Observed& dispatch, const Arguments& args) {
+    const auto live = dispatch.before<shared::QueueSize>(args.live, 1);
+    const std::uint32_t first = args.firstPhoton + (live.empty() ? 0 : live[0].before); // they may wrap
+    return dispatch.after<shared::Photon>(args.photons, std::size_t{first} + args.count).subspan(first);
+}
 
 } // namespace hyalite::parity

@@ -9,13 +9,13 @@
 #include "shared/kernel_arguments.h"
 #include "lights/receiver.glsl"
 #include "lib/sampling.glsl"
-#include "lib/thread.glsl"
+#include "lib/queue.glsl"
 
 layout(push_constant, scalar) uniform Push { BouncePathsArguments args; };
 
 void main() {
     uint id = threadIndex();
-    if (id >= args.count || args.depth >= args.maxDepth) {
+    if (id >= liveCount(args.live, args.count) || args.depth >= args.maxDepth) {
         return;
     }
     CameraPath path = args.paths.at[id];

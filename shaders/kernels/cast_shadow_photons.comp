@@ -11,17 +11,21 @@
 #include "photons/photon.glsl"
 #include "shapes/surface.glsl"
 #include "textures/texture.glsl"
-#include "lib/thread.glsl"
+#include "lib/queue.glsl"
 
 layout(push_constant, scalar) uniform Push { CastShadowPhotonsArguments args; };
 
 void main() {
     uint i = threadIndex();
-    if (i >= args.count) {
+    if (i >= liveCount(args.live, args.count)) {
         return;
     }
     args.alive.at[i] = 0u;
-    args.photons.at[args.firstPhoton + i].surface = kNone;
+    uint slot = args.firstPhoton + i + (isSome(uvec2(args.live)) ? args.live.at[0].before : 0u);
+    bool hasRoom = slot < args.room; // where there is none, the host sees it by the queue's size
+    if (hasRoom) {
+        args.photons.at[slot].surface = kNone;
+    }
     Hit hit = args.hits.at[i];
     if (hit.object == kNone) {
         return;
@@ -29,8 +33,9 @@ void main() {
     Ray ray = args.rays.at[i];
     PhotonPath path = args.paths.at[i];
     Surface s = surfaceAt(ray, hit, args.normals, args.instances);
-    if (s.material != kNone && hasDiffusePart(texturedMaterial(args.materials.at[s.material], s.position, s.uv))) {
-        args.photons.at[args.firstPhoton + i] =
+    if (hasRoom && s.material != kNone &&
+        hasDiffusePart(texturedMaterial(args.materials.at[s.material], s.position, s.uv))) {
+        args.photons.at[slot] =
             Photon(s.position, packUnitVector(-ray.direction, kDirectionBits), vec3(0.0),
                    packSurface(s.normal, path.kind, path.light));
     }

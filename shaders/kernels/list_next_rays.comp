@@ -7,22 +7,25 @@
 // threads: chunks
 // computes: second half of a prefix sum, applied
 #include "shared/kernel_arguments.h"
-#include "lib/thread.glsl"
+#include "lib/queue.glsl"
 
 layout(push_constant, scalar) uniform Push { ListNextRaysArguments args; };
 
 void main() {
     uint chunk = threadIndex();
     uint begin = chunk * kScanChunk;
-    if (begin >= args.count) {
+    uint count = liveCount(args.live, args.count);
+    if (begin >= count) {
         return;
     }
-    uint end = min(begin + kScanChunk, args.count);
+    uint end = min(begin + kScanChunk, count);
     uint to = args.chunkOffsets.at[chunk];
     for (uint i = begin; i < end; ++i) {
         uint alive = args.alive.at[i];
         for (uint child = 0u; child < alive; ++child) {
-            args.slots.at[to] = args.slotsOfPath * i + child;
+            if (to < args.room) {
+                args.slots.at[to] = args.slotsOfPath * i + child;
+            }
             ++to;
         }
     }

@@ -8,17 +8,18 @@
 //     paths go on, times p² / (p² + q²), q = cosθ / π [Veach95]
 #include "shared/kernel_arguments.h"
 #include "lights/direct_light.glsl"
-#include "lib/thread.glsl"
+#include "lib/queue.glsl"
 
 layout(push_constant, scalar) uniform Push { SampleLightsArguments args; };
 
 void main() {
-    uint i = threadPixel(args.width, args.count);
-    if (i >= args.count) {
+    uint count = liveCount(args.live, args.count);
+    uint i = liveElement(args.width, count, args.count);
+    if (i >= count) {
         return;
     }
     args.shadowRays.at[i].tMax = 0.0;
-    VisiblePoint x = args.visiblePoints.at[i];
+    VisiblePoint x = args.visiblePoints.at[isSome(uvec2(args.paths)) ? args.paths.at[i].pixel : i];
     if (x.depth == 0u || x.depth + 1u > args.maxDepth || (args.bounceDepth != 0u && args.bounceDepth != x.depth)) {
         return;
     }

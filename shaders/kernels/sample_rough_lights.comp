@@ -8,13 +8,14 @@
 #include "shared/kernel_arguments.h"
 #include "lights/direct_light.glsl"
 #include "shapes/scene.glsl"
-#include "lib/thread.glsl"
+#include "lib/counter.glsl"
+#include "lib/queue.glsl"
 
 layout(push_constant, scalar) uniform Push { SampleRoughLightsArguments args; };
 
 void main() {
     uint i = threadIndex();
-    if (i >= args.count) {
+    if (i >= liveCount(args.live, args.count)) {
         return;
     }
     RoughPoint x = args.roughPoints.at[i];
@@ -26,7 +27,9 @@ void main() {
     Sampler s = lightSampler(x.samplerSeed, args.light, args.pass);
     LightRecord light = args.lights.at[lightAsked(args.lights, args.lightCount, args.light, s, x.depth)];
     DirectLight toLight = directLight(light, args.light == kNone ? light.pmf : 1.0, x, lobe, s);
-    if (isWorthAsking(toLight) && traceScene(args.rootNode, toLight.shadow, true).object == kNone) {
+    bool asks = isWorthAsking(toLight);
+    countAll(args.rayCount, asks ? 1u : 0u);
+    if (asks && traceScene(args.rootNode, toLight.shadow, true).object == kNone) {
         args.direct.at[x.result] += toLight.contribution;
     }
 }

@@ -6,24 +6,25 @@
 // threads: chunks
 // computes: second half
 #include "shared/kernel_arguments.h"
-#include "lib/thread.glsl"
+#include "lib/queue.glsl"
 
 layout(push_constant, scalar) uniform Push { ScanChunksArguments args; };
 
 void main() {
     uint chunk = threadIndex();
     uint begin = chunk * kScanChunk;
-    if (begin >= args.count) {
+    uint count = liveCount(args.live, args.count);
+    if (begin >= count) {
         return;
     }
-    uint end = min(begin + kScanChunk, args.count);
+    uint end = min(begin + kScanChunk, count);
     uint sum = args.chunkOffsets.at[chunk];
     for (uint i = begin; i < end; ++i) {
         uint value = args.values.at[i];
         args.sums.at[i] = sum;
         sum += value;
     }
-    if (end == args.count) {
+    if (end == count) {
         args.sums.at[end] = sum;
     }
 }

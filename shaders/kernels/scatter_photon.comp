@@ -14,7 +14,7 @@
 #include "lib/sampling.glsl"
 #include "shapes/surface.glsl"
 #include "textures/texture.glsl"
-#include "lib/thread.glsl"
+#include "lib/queue.glsl"
 
 layout(push_constant, scalar) uniform Push { ScatterPhotonArguments args; };
 
@@ -81,11 +81,15 @@ void account(PhotonPath path, vec3 stored, vec3 absorbed, vec3 escaped, vec3 cut
 
 void main() {
     uint i = threadIndex();
-    if (i >= args.count) {
+    if (i >= liveCount(args.live, args.count)) {
         return;
     }
     args.alive.at[i] = 0u;
-    args.photons.at[args.firstPhoton + i].surface = kNone;
+    uint slot = args.firstPhoton + i + (isSome(uvec2(args.live)) ? args.live.at[0].before : 0u);
+    bool hasRoom = slot < args.room; // where there is none, the host sees it by the queue's size
+    if (hasRoom) {
+        args.photons.at[slot].surface = kNone;
+    }
     Hit hit = args.hits.at[i];
     PhotonPath path = args.paths.at[i];
     if (hit.object == kNone) {
@@ -104,8 +108,8 @@ void main() {
     MaterialRecord material = texturedMaterial(args.materials.at[s.material], s.position, s.uv);
     bool diffuse = hasDiffusePart(material);
     Lobe lobe = lobeOf(material, s.front);
-    if (diffuse && isWanted(path.kind)) {
-        store(args.firstPhoton + i, s, ray.direction, path);
+    if (diffuse && isWanted(path.kind) && hasRoom) {
+        store(slot, s, ray.direction, path);
     }
 
     vec3 onward = vec3(0.0);

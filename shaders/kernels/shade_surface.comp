@@ -12,7 +12,7 @@
 #include "camera/camera_path.glsl"
 #include "bsdf/medium.glsl"
 #include "textures/texture.glsl"
-#include "lib/thread.glsl"
+#include "lib/queue.glsl"
 
 layout(push_constant, scalar) uniform Push { ShadeSurfaceArguments args; };
 
@@ -103,8 +103,9 @@ void scatter(uint i, Surface s, Hit hit, MaterialRecord material, vec3 wo, Camer
 }
 
 void main() {
-    uint i = threadPixel(args.width, args.count);
-    if (i >= args.count) {
+    uint count = liveCount(args.live, args.count);
+    uint i = liveElement(args.width, count, args.count);
+    if (i >= count) {
         return;
     }
     args.alive.at[i] = 0u;

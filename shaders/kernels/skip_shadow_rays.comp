@@ -6,6 +6,7 @@
 // threads: shadow rays
 // computes: –
 #include "shared/kernel_arguments.h"
+#include "lib/counter.glsl"
 #include "lib/thread.glsl"
 
 layout(push_constant, scalar) uniform Push { SkipShadowRaysArguments args; };
@@ -17,13 +18,13 @@ void main() {
     }
     bool lit = ((args.lit.at[i] >> args.light) & 1u) != 0u;
     bool shadowed = ((args.shadowed.at[i] >> args.light) & 1u) != 0u;
-    if (!lit && !shadowed) {
-        atomicAdd(args.counts.at[1], 1u);
+    bool known = lit || shadowed;
+    countAll(args.raysSaved, known ? 1u : 0u);
+    if (!known) {
         return;
     }
     if (lit) {
         args.direct.at[i] += args.contributions.at[i];
     }
     args.shadowRays.at[i].tMax = 0.0;
-    atomicAdd(args.counts.at[0], 1u);
 }

@@ -6,17 +6,18 @@
 // threads: chunks
 // computes: first half of a prefix sum of many
 #include "shared/kernel_arguments.h"
-#include "lib/thread.glsl"
+#include "lib/queue.glsl"
 
 layout(push_constant, scalar) uniform Push { SumChunksArguments args; };
 
 void main() {
     uint chunk = threadIndex();
     uint begin = chunk * kScanChunk;
-    if (begin >= args.count) {
+    uint count = liveCount(args.live, args.count);
+    if (begin >= count) {
         return;
     }
-    uint end = min(begin + kScanChunk, args.count);
+    uint end = min(begin + kScanChunk, count);
     uint sum = 0u;
     for (uint i = begin; i < end; ++i) {
         sum += args.values.at[i];

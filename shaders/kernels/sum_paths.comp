@@ -6,13 +6,14 @@
 // threads: paths
 // computes: a pixel's tree of rays, summed in order
 #include "shared/kernel_arguments.h"
-#include "lib/thread.glsl"
+#include "lib/queue.glsl"
 
 layout(push_constant, scalar) uniform Push { SumPathsArguments args; };
 
 void main() {
     uint i = threadIndex();
-    if (i >= args.count) {
+    uint count = liveCount(args.live, args.count);
+    if (i >= count) {
         return;
     }
     uint pixel = args.pixels.at[i];
@@ -20,7 +21,7 @@ void main() {
         return;
     }
     vec3 sum = args.radiance.at[pixel];
-    for (; i < args.count && args.pixels.at[i] == pixel; ++i) {
+    for (; i < count && args.pixels.at[i] == pixel; ++i) {
         sum += args.light.at[i];
     }
     args.radiance.at[pixel] = sum;

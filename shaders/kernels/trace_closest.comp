@@ -7,13 +7,14 @@
 // computes: nearest t of every shape along the ray ([geometry](../../docs/geometry.md))
 #include "shared/kernel_arguments.h"
 #include "shapes/scene.glsl"
-#include "lib/thread.glsl"
+#include "lib/queue.glsl"
 
 layout(push_constant, scalar) uniform Push { TraceClosestArguments args; };
 
 void main() {
-    uint i = threadPixel(args.width, args.count);
-    if (i >= args.count) {
+    uint count = liveCount(args.live, args.count);
+    uint i = liveElement(args.width, count, args.count);
+    if (i >= count) {
         return;
     }
     args.hits.at[i] = traceScene(args.rootNode, args.rays.at[i], false);

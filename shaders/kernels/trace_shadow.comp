@@ -7,17 +7,22 @@
 // computes: adds what nothing blocks
 #include "shared/kernel_arguments.h"
 #include "shapes/scene.glsl"
-#include "lib/thread.glsl"
+#include "lib/counter.glsl"
+#include "lib/queue.glsl"
 
 layout(push_constant, scalar) uniform Push { TraceShadowArguments args; };
 
 void main() {
-    uint i = threadPixel(args.width, args.count);
-    if (i >= args.count) {
+    uint count = liveCount(args.live, args.count);
+    uint i = liveElement(args.width, count, args.count);
+    if (i >= count) {
         return;
     }
     Ray ray = args.shadowRays.at[i];
-    if (ray.tMax > 0.0 && traceScene(args.rootNode, ray, true).object == kNone) {
-        args.direct.at[i] += args.contributions.at[i];
+    bool traces = ray.tMax > 0.0;
+    countAll(args.rayCount, traces ? 1u : 0u);
+    if (traces && traceScene(args.rootNode, ray, true).object == kNone) {
+        uint pixel = isSome(uvec2(args.paths)) ? args.paths.at[i].pixel : i;
+        args.direct.at[pixel] += args.contributions.at[i];
     }
 }

@@ -6,7 +6,7 @@
 // lit and this sends its ray.
 //
 // All in one kernel: with nothing to gather between the stages, what they hand on by memory costs more than it brings
-// (docs/performance.md). Who looks on still sees it: `keeps`.
+// (docs/performance.md). An observer still sees it: `keptRays`.
 // reads: slots of rays, rays and camera paths of the level before, tables, materials, textures, lights
 // writes: light, pixels, rough points, next rays and paths, how many of a path's slots are used; for observers, hits,
 //     emission, visible points
@@ -20,7 +20,8 @@
 #include "bsdf/medium.glsl"
 #include "shapes/scene.glsl"
 #include "textures/texture.glsl"
-#include "lib/thread.glsl"
+#include "lib/counter.glsl"
+#include "lib/queue.glsl"
 
 layout(push_constant, scalar) uniform Push { TraceWhittedArguments args; };
 
@@ -93,23 +94,28 @@ void scatter(uint i, Surface s, MaterialRecord material, vec3 wo, CameraPath pat
 // From every lamp onto a diffuse surface.
 vec3 lightOn(VisiblePoint x) {
     vec3 sum = vec3(0.0);
+    uint rays = 0u;
     for (uint index = 0u; index < args.lightCount; ++index) {
         DirectLight toLight = directLight(args.lights.at[index], 1.0, x, receiver, false, lightSampler(x.samplerSeed, index, args.pass));
-        if (isWorthAsking(toLight) && traceScene(args.rootNode, toLight.shadow, true).object == kNone) {
-            sum += toLight.contribution;
+        if (isWorthAsking(toLight)) {
+            ++rays;
+            if (traceScene(args.rootNode, toLight.shadow, true).object == kNone) {
+                sum += toLight.contribution;
+            }
         }
     }
+    countAll(args.rayCount, rays);
     return sum;
 }
 
 void main() {
     uint i = threadIndex();
-    if (i >= args.count) {
+    if (i >= liveCount(args.live, args.count)) {
         return;
     }
     NextRay arriving;
     uint result = i;
-    if (args.fromCamera != 0u) {
+    if (!isSome(uvec2(args.slots))) {
         result = threadPixel(args.camera.width, args.count);
         arriving = startAtCamera(args.camera, args.seed, args.pass, result);
     } else {
@@ -138,7 +144,7 @@ void main() {
         }
     }
     args.alive.at[i] = children;
-    if (args.keeps != 0u) {
+    if (isSome(uvec2(args.keptRays))) {
         args.keptRays.at[i] = arriving.ray;
         args.keptPaths.at[i] = arriving.path;
         args.hits.at[i] = hit;

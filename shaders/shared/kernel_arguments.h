@@ -1,11 +1,13 @@
 // The push constants of every kernel, in the order of the pass. Each names what the kernel reads, then what it
-// writes, then its numbers; `count` is the number of threads that have work.
+// writes, then its numbers; `count` is the number of threads that have work. Where there is a `live`, the queue's size
+// on the device says that number, and `count` is the largest that it may be; with a `live` of none it is `count`.
 #ifndef HYALITE_SHARED_KERNEL_ARGUMENTS_H
 #define HYALITE_SHARED_KERNEL_ARGUMENTS_H
 #include "film.h"
 #include "grid.h"
 #include "path_records.h"
 #include "photon_map.h"
+#include "queue.h"
 #include "scene_records.h"
 #include "tree_arguments.h"
 SHARED_BEGIN
@@ -25,6 +27,7 @@ struct TraceClosestArguments {
     uint count;
     uint rootNode; // of the BVH over objects
     uint width;    // where these are the pixels of a picture, its width [pixels]: see pixelOfThread; else 0
+    QueueSizeArray live;
 };
 
 struct ShadeSurfaceArguments {
@@ -46,11 +49,12 @@ struct ShadeSurfaceArguments {
     uint pass;
     RoughPointArray roughPoints; // out, one per path; untouched in scenes without rough lobes
     uint width; // where these are the pixels of a picture, its width [pixels]: see pixelOfThread; else 0
+    QueueSizeArray live;
 };
 
 // Where `result` is named: the pixel of rays that start at the camera, else the ray's own number.
 struct TraceWhittedArguments {
-    UintArray slots;       // unless the rays start at the camera: where they and their paths stand
+    UintArray slots;       // where the rays and their paths stand; none: they start at the camera, one per pixel
     RayArray rays;         // of the level before
     CameraPathArray paths; // likewise
     MaterialArray materials;
@@ -66,19 +70,19 @@ struct TraceWhittedArguments {
     RenderSeed seed;
     CameraRecord camera;
     uint count;
-    uint fromCamera; // 1: the first level, one ray per pixel
-    uint depth;      // segments from the camera to these hits
-    uint maxDepth;   // no next ray from here on
+    uint depth;    // segments from the camera to these hits
+    uint maxDepth; // no next ray from here on
     uint pass;
     float minWeight; // a next ray whose throughput is below this in every channel is not followed
     uint lightCount;
     uint rootNode;
-    uint keeps;                      // 1: also what follows is written
-    RayArray keptRays;               // out: where they came from
+    RayArray keptRays;               // out: where they came from; none: this and what follows is not written
     CameraPathArray keptPaths;       // out: as they came to their hits
     HitArray hits;                   // out
     ColorArray emitted;              // out: of the light, what is emitted
     VisiblePointArray visiblePoints; // out
+    QueueSizeArray live;
+    UintArray rayCount; // in and out: shadow rays traced, of 64 bits; see lib/counter.glsl
 };
 
 struct SampleRoughLightsArguments {
@@ -91,6 +95,8 @@ struct SampleRoughLightsArguments {
     uint light; // sample this one, or kNone: one picked in proportion to power
     uint pass;
     uint rootNode;
+    QueueSizeArray live;
+    UintArray rayCount; // in and out: shadow rays traced, of 64 bits; see lib/counter.glsl
 };
 
 struct SampleLightsArguments {
@@ -107,6 +113,8 @@ struct SampleLightsArguments {
     uint bounceDepth; // 0: all of them, and nothing else brings their light; else those of this depth alone, from which
                       // paths go on and may meet the light too
     uint width;       // where these are the pixels of a picture, its width [pixels]: see pixelOfThread; else 0
+    QueueSizeArray live;
+    CameraPathArray paths; // those whose pixels have the visible points; none: one visible point per thread
 };
 
 // Sends camera paths on from the diffuse surfaces where they have just ended.
@@ -121,6 +129,7 @@ struct BouncePathsArguments {
     uint depth; // segments from the camera to the visible points
     uint maxDepth;
     uint pass;
+    QueueSizeArray live;
 };
 
 struct TraceShadowArguments {
@@ -130,6 +139,9 @@ struct TraceShadowArguments {
     uint count;
     uint rootNode;
     uint width; // where these are the pixels of a picture, its width [pixels]: see pixelOfThread; else 0
+    QueueSizeArray live;
+    UintArray rayCount;    // in and out: shadow rays traced, of 64 bits; see lib/counter.glsl
+    CameraPathArray paths; // those that the rays are for, whose pixels get the light; none: one pixel per ray
 };
 
 struct EmitPhotonsArguments {
@@ -163,7 +175,7 @@ struct ScatterPhotonArguments {
     MaterialArray materials;
     NormalArray normals;
     InstanceArray instances;
-    PhotonArray photons;       // out, at firstPhoton + thread; surface = kNone where none is stored
+    PhotonArray photons;       // out, at firstPhoton + what live counts before + thread; surface = kNone: none stored
     PhotonFateArray fates;     // in and out, by number of the photon; unused without `account`
     RayArray nextRays;         // out
     PhotonPathArray nextPaths; // out
@@ -175,6 +187,8 @@ struct ScatterPhotonArguments {
     uint sequence; // seed of the photons' samplers, see photonSampler
     uint kinds;    // bit kPhoton… is set for every kind that is to be stored; paths that can store no more end
     uint account;  // 1: keep account of what becomes of the flux
+    uint room;     // for photons: those beyond are left out
+    QueueSizeArray live;
 };
 
 // Follows photons straight on, through whatever they meet.
@@ -185,46 +199,47 @@ struct CastShadowPhotonsArguments {
     MaterialArray materials;
     NormalArray normals;
     InstanceArray instances;
-    PhotonArray photons;       // out, at firstPhoton + thread; surface = kNone where none is stored
+    PhotonArray photons;       // out, at firstPhoton + what live counts before + thread; surface = kNone: none stored
     RayArray nextRays;         // out
     PhotonPathArray nextPaths; // out
     UintArray alive;           // out
     uint count;
     uint firstPhoton;
+    uint room; // for photons: those beyond are left out
+    QueueSizeArray live;
 };
 
-struct CompactCameraPathsArguments {
+// Words of the record that a path of either kind carries, which is moved as it is.
+SHARED_CONSTANT kPathWords = 7u;
+
+struct CompactPathsArguments {
     UintArray alive;
     UintArray offsets; // exclusive sums of alive
     RayArray nextRays;
-    CameraPathArray nextPaths;
-    RayArray rays;         // out
-    CameraPathArray paths; // out
+    UintArray nextPaths; // kPathWords each
+    RayArray rays;       // out
+    UintArray paths;     // out
     uint count;
+    QueueSizeArray live;
 };
 
-struct CompactPhotonPathsArguments {
-    UintArray alive;
-    UintArray offsets;
-    RayArray nextRays;
-    PhotonPathArray nextPaths;
-    RayArray rays;         // out
-    PhotonPathArray paths; // out
-    uint count;
-};
-
+// A prefix sum by one workgroup. Of a queue's flags, or of the sums of their chunks, it also finds out how large the
+// queue will be.
 struct ScanGroupArguments {
     UintArray values;
     UintArray sums; // out: exclusive sums, count + 1 of them: the last is the total
     uint count;     // values
+    QueueSizeArray live;
+    QueueSizeArray queue;   // the queue as it is; none: what follows is not written
+    QueueSizeArray next;    // out, kQueueLevels: the queue of the total
+    UintArray elementCount; // in and out: elements of the queue so far, of 64 bits; none: not counted
 };
-
-SHARED_CONSTANT kScanChunk = 128u; // values one thread of the scan adds up
 
 struct SumChunksArguments {
     UintArray values;
     UintArray sums; // out, one per chunk
     uint count;     // values
+    QueueSizeArray live;
 };
 
 struct ScanChunksArguments {
@@ -232,6 +247,7 @@ struct ScanChunksArguments {
     UintArray chunkOffsets; // what precedes each chunk
     UintArray sums;         // out: exclusive sums, count + 1 of them: the last is the total
     uint count;             // values
+    QueueSizeArray live;
 };
 
 struct ListNextRaysArguments {
@@ -240,6 +256,8 @@ struct ListNextRaysArguments {
     UintArray slots;        // out
     uint count;             // paths
     uint slotsOfPath;
+    uint room; // for slots: those beyond are left out
+    QueueSizeArray live;
 };
 
 struct CountCellsArguments {
@@ -376,8 +394,8 @@ struct SkipShadowRaysArguments {
     UintArray shadowed;
     RayArray shadowRays; // in and out; tMax = 0: nothing to trace
     ColorArray contributions;
-    ColorArray direct; // in and out
-    UintArray counts;  // in and out: rays spared, rays left
+    ColorArray direct;   // in and out
+    UintArray raysSaved; // in and out: of 64 bits, see lib/counter.glsl
     uint light;
     uint count;
 };
@@ -397,6 +415,7 @@ struct SumPathsArguments {
     ColorArray light;    // of each path
     ColorArray radiance; // in and out, per pixel
     uint count;
+    QueueSizeArray live;
 };
 
 // What gathering rays found, added to what their pixels gather.

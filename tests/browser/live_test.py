@@ -290,6 +290,8 @@ class DeviceTimeout(Live):
 
 
 class Polls(Live):
+    options = ()
+
     def test_more_pages_than_threads_leave_the_server_an_answer_for_others(self):
         state = self.server.wait_for(lambda s: not s["busy"])
         # Requests that wait for news, of which there is none: more than the server's 24 threads

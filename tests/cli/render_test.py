@@ -177,7 +177,9 @@ class Reports(RenderTest):
         self.assertEqual(threads["emit_photons"], counts["photons_emitted"])
         self.assertEqual(threads["emit_caustic_photons"], counts["caustic_photons_emitted"])
         self.assertEqual(threads["trace_closest"], counts["camera_rays"] + counts["photon_rays"])
-        self.assertEqual(threads["trace_shadow"], counts["shadow_rays"])
+        # Visible points have a thread each, but light comes to those alone that face it
+        self.assertLess(counts["shadow_rays"], threads["trace_shadow"])
+        self.assertGreater(counts["shadow_rays"], threads["trace_shadow"] // 4)
         self.assertEqual(threads["sort_photons"], counts["photons_stored"] + counts["caustic_photons_stored"])
         self.assertEqual(threads["resolve_film"], 4 * 20 * 12)  # emitted, direct, caustic and indirect light
         self.assertTrue(all(stage["dispatches"] > 0 for stage in stages.values()), stages)

@@ -46,11 +46,27 @@ inline Bounce shade(BothSides& both, const std::vector<shared::Ray>& rays, const
     const auto& d = both.deviceScene;
     const std::uint32_t maxDepth = both.scene.render.maxDepth;
     if (ways == Ways::One) {
-        both.run("trace_closest", shared::TraceClosestArguments{b.rays, b.hits, count, d.rootNode, 13}, count);
+        both.run("trace_closest", shared::TraceClosestArguments{b.rays, b.hits, count, d.rootNode, 13, {}}, count);
         both.run("shade_surface",
-                 shared::ShadeSurfaceArguments{b.rays, b.hits, b.paths, d.materials, d.lights, d.normals, d.instances,
-                                               b.visible, b.emitted, b.nextRays, b.nextPaths, b.alive, count, depth,
-                                               maxDepth, pass, b.rough, 13},
+                 shared::ShadeSurfaceArguments{b.rays,
+                                               b.hits,
+                                               b.paths,
+                                               d.materials,
+                                               d.lights,
+                                               d.normals,
+                                               d.instances,
+                                               b.visible,
+                                               b.emitted,
+                                               b.nextRays,
+                                               b.nextPaths,
+                                               b.alive,
+                                               count,
+                                               depth,
+                                               maxDepth,
+                                               pass,
+                                               b.rough,
+                                               13,
+                                               {}},
                  count);
         return b;
     }
@@ -78,19 +94,19 @@ inline Bounce shade(BothSides& both, const std::vector<shared::Ray>& rays, const
                                            .seed = {},
                                            .camera = {},
                                            .count = count,
-                                           .fromCamera = 0,
                                            .depth = depth,
                                            .maxDepth = maxDepth + 1,
                                            .pass = pass,
                                            .minWeight = static_cast<float>(both.scene.render.minWeight),
                                            .lightCount = d.lightCount,
                                            .rootNode = d.rootNode,
-                                           .keeps = 1,
                                            .keptRays = b.rays,
                                            .keptPaths = b.paths,
                                            .hits = b.hits,
                                            .emitted = b.emitted,
-                                           .visiblePoints = b.visible},
+                                           .visiblePoints = b.visible,
+                                           .live = {},
+                                           .rayCount = {}},
              count);
     return b;
 }

@@ -170,8 +170,8 @@ void compareTrees(std::size_t trees) {
         const auto count = static_cast<std::uint32_t>(rays.size());
         const auto deviceRays = both.upload(rays);
         const auto hits = both.room<shared::Hit>(count);
-        both.run("trace_closest", shared::TraceClosestArguments{deviceRays, hits, count, both.deviceScene.rootNode, 0},
-                 count);
+        both.run("trace_closest",
+                 shared::TraceClosestArguments{deviceRays, hits, count, both.deviceScene.rootNode, 0, {}}, count);
         const std::vector<shared::Hit> found = hits.read();
         parallelFor(rays.size(), 1024, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
@@ -264,8 +264,8 @@ TEST_CASE("where faces of boxes coincide, the first leaf that decides is hit on 
         const auto count = static_cast<std::uint32_t>(rays.size());
         const auto deviceRays = both.upload(rays);
         const auto hits = both.room<shared::Hit>(count);
-        both.run("trace_closest", shared::TraceClosestArguments{deviceRays, hits, count, both.deviceScene.rootNode, 0},
-                 count);
+        both.run("trace_closest",
+                 shared::TraceClosestArguments{deviceRays, hits, count, both.deviceScene.rootNode, 0, {}}, count);
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const shared::Hit& hit = hits.host()[i];
             const reference::Ray ray = toReference(rays[i]);

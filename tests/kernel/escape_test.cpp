@@ -51,7 +51,7 @@ std::size_t countEscapes(Scene scene, std::uint32_t count) {
     const auto alive = both.room<shared::uint>(count);
     std::size_t escapes = 0;
     for (int i = 0; i < kReflections; ++i) {
-        both.run("trace_closest", shared::TraceClosestArguments{rays, hits, count, d.rootNode, 0}, count);
+        both.run("trace_closest", shared::TraceClosestArguments{rays, hits, count, d.rootNode, 0, {}}, count);
         both.run("shade_surface",
                  shared::ShadeSurfaceArguments{rays,
                                                hits,
@@ -70,7 +70,8 @@ std::size_t countEscapes(Scene scene, std::uint32_t count) {
                                                255,
                                                0,
                                                {},
-                                               0},
+                                               0,
+                                               {}},
                  count);
         for (std::uint32_t ray = 0; ray < count; ++ray) {
             if (hits.host()[ray].object == shared::kNone) {

@@ -36,11 +36,11 @@ struct BothSides {
     }
     template <class T>
     [[nodiscard]] gpu::Array<T> upload(const std::vector<T>& values) const {
-        return {device.context, std::span<const T>(values), "test input"};
+        return {device.context, std::span<const T>(values), "test input", gpu::Memory::Host};
     }
     template <class T>
     [[nodiscard]] gpu::Array<T> room(std::size_t count) const {
-        return {device.context, count, "test output"};
+        return {device.context, count, "test output", gpu::Memory::Host};
     }
     [[nodiscard]] std::uint32_t sceneObject(std::uint32_t deviceObject) const {
         return deviceObject == shared::kNone ? shared::kNone : deviceScene.objectOf[deviceObject];

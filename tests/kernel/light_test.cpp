@@ -55,9 +55,20 @@ TEST_CASE("light sampling sends the reference's contribution along the reference
     for (std::uint32_t light = shared::kNone; light == shared::kNone || light < lightCount; ++light) {
         INFO("light " << static_cast<int>(light));
         both.run("sample_lights",
-                 shared::SampleLightsArguments{devicePoints, both.deviceScene.materials, both.deviceScene.lights, rays,
-                                               contributions, count, lightCount, light, pass,
-                                               both.scene.render.maxDepth, 0, 0},
+                 shared::SampleLightsArguments{devicePoints,
+                                               both.deviceScene.materials,
+                                               both.deviceScene.lights,
+                                               rays,
+                                               contributions,
+                                               count,
+                                               lightCount,
+                                               light,
+                                               pass,
+                                               both.scene.render.maxDepth,
+                                               0,
+                                               0,
+                                               {},
+                                               {}},
                  count);
         // The strongest contribution at one metre, both cosines 1: f times intensity or radiance times area, over pmf
         double full = 0;
@@ -139,12 +150,26 @@ TEST_CASE("no lamp stands in its own light, however near the origin it is and ho
     for (std::uint32_t light = 0; light < 3; ++light) {
         INFO("light " << light);
         both.run("sample_lights",
-                 shared::SampleLightsArguments{devicePoints, both.deviceScene.materials, both.deviceScene.lights, rays,
-                                               contributions, count, 3, light, 0, 2, 0, 0},
+                 shared::SampleLightsArguments{devicePoints,
+                                               both.deviceScene.materials,
+                                               both.deviceScene.lights,
+                                               rays,
+                                               contributions,
+                                               count,
+                                               3,
+                                               light,
+                                               0,
+                                               2,
+                                               0,
+                                               0,
+                                               {},
+                                               {}},
                  count);
         const auto direct = both.upload(std::vector<vec3>(count, vec3(0)));
-        both.run("trace_shadow",
-                 shared::TraceShadowArguments{rays, contributions, direct, count, both.deviceScene.rootNode, 0}, count);
+        both.run(
+            "trace_shadow",
+            shared::TraceShadowArguments{rays, contributions, direct, count, both.deviceScene.rootNode, 0, {}, {}, {}},
+            count);
         std::size_t sent = 0;
         std::size_t blocked = 0;
         std::size_t blockedInReference = 0;
@@ -241,10 +266,12 @@ TEST_CASE("no flux of any light is lost: it is stored, absorbed, cut off, escape
     std::ranges::fill(fates.host(), shared::PhotonFate{});
     both.run("emit_photons", shared::EmitPhotonsArguments{d.lights, rays, paths, 0, count, count, d.lightCount, 17},
              count);
-    both.run("trace_closest", shared::TraceClosestArguments{rays, hits, count, d.rootNode, 0}, count);
+    both.run("trace_closest", shared::TraceClosestArguments{rays, hits, count, d.rootNode, 0, {}}, count);
     both.run("scatter_photon",
-             shared::ScatterPhotonArguments{rays, hits, paths, d.materials, d.normals, d.instances, photons, fates,
-                                            nextRays, nextPaths, alive, count, 0, 1, scene.render.maxDepth, 17, 7, 1},
+             shared::ScatterPhotonArguments{
+                 rays,          hits,  paths, d.materials, d.normals, d.instances,           photons, fates, nextRays,
+                 nextPaths,     alive, count, 0,           1,         scene.render.maxDepth, 17,      7,     1,
+                 shared::kNone, {}},
              count);
     for (std::uint32_t i = 0; i < count; ++i) {
         const shared::PhotonFate& fate = fates.host()[i];

@@ -118,7 +118,7 @@ void measure(std::uint32_t count) {
               1e3, "ms");
         for (const auto structure : {render::PhotonStructure::Tree, render::PhotonStructure::Grid}) {
             const bool isTree = structure == render::PhotonStructure::Tree;
-            const render::RadianceEstimate estimate(device, deviceScene, structure, nearest);
+            render::RadianceEstimate estimate(device, deviceScene, structure, nearest);
             const std::string what = (isTree ? "tree, nearest " : "grid, nearest ") + std::to_string(nearest);
             print(what.c_str(), shortest([&] {
                       estimate.run(device, isTree ? tree.map() : grid.map(), points, queries,

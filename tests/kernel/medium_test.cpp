@@ -38,7 +38,7 @@ Bundle bundle(BothSides& both, std::uint32_t count) {
     }
     b.device = both.upload(b.rays);
     b.hits = both.room<shared::Hit>(count);
-    both.run("trace_closest", shared::TraceClosestArguments{b.device, b.hits, count, both.deviceScene.rootNode, 0},
+    both.run("trace_closest", shared::TraceClosestArguments{b.device, b.hits, count, both.deviceScene.rootNode, 0, {}},
              count);
     return b;
 }
@@ -131,9 +131,26 @@ TEST_CASE("photons lose in glass what the reference says, and the account of the
     const reference::PhotonPass pass = reference::progressivePass(both.world, 5);
     const auto& d = both.deviceScene;
     both.run("scatter_photon",
-             shared::ScatterPhotonArguments{b.device, b.hits, devicePaths, d.materials, d.normals, d.instances, photons,
-                                            fates, nextRays, nextPaths, alive, count, 0, 2, both.scene.render.maxDepth,
-                                            pass.sequence, pass.kinds, 1},
+             shared::ScatterPhotonArguments{b.device,
+                                            b.hits,
+                                            devicePaths,
+                                            d.materials,
+                                            d.normals,
+                                            d.instances,
+                                            photons,
+                                            fates,
+                                            nextRays,
+                                            nextPaths,
+                                            alive,
+                                            count,
+                                            0,
+                                            2,
+                                            both.scene.render.maxDepth,
+                                            pass.sequence,
+                                            pass.kinds,
+                                            1,
+                                            shared::kNone,
+                                            {}},
              count);
     std::size_t coins = 0;
     for (std::uint32_t i = 0; i < count; ++i) {

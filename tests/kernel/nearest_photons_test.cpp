@@ -124,7 +124,7 @@ TEST_CASE("tree and grid find exactly the photons that asking every photon finds
                 std::vector<std::uint32_t> answers[2];
                 for (const auto structure : {render::PhotonStructure::Tree, render::PhotonStructure::Grid}) {
                     const bool isTree = structure == render::PhotonStructure::Tree;
-                    const render::NearestPhotons query(both.device, structure, nearest);
+                    render::NearestPhotons query(both.device, structure, nearest);
                     query.run(both.device, isTree ? maps.tree.map() : maps.grid.map(), devicePoints, kQueries, search,
                               found);
                     both.device.commands.finish();

@@ -47,8 +47,17 @@ TEST_CASE("paths go on from diffuse surfaces as the reference's do") {
     const auto nextPaths = both.room<shared::CameraPath>(kPoints);
     const auto alive = both.upload(std::vector<shared::uint>(kPoints, 0));
     both.run("bounce_paths",
-             shared::BouncePathsArguments{devicePaths, devicePoints, both.deviceScene.materials, rays, nextPaths, alive,
-                                          kPoints, kDepth, 12, kPass},
+             shared::BouncePathsArguments{devicePaths,
+                                          devicePoints,
+                                          both.deviceScene.materials,
+                                          rays,
+                                          nextPaths,
+                                          alive,
+                                          kPoints,
+                                          kDepth,
+                                          12,
+                                          kPass,
+                                          {}},
              kPoints);
     std::size_t coins = 0;
     std::size_t bounced = 0;
@@ -80,8 +89,17 @@ TEST_CASE("paths go on from diffuse surfaces as the reference's do") {
     // The longest path ends here
     const auto none = both.upload(std::vector<shared::uint>(kPoints, 0));
     both.run("bounce_paths",
-             shared::BouncePathsArguments{devicePaths, devicePoints, both.deviceScene.materials, rays, nextPaths, none,
-                                          kPoints, kDepth, kDepth, kPass},
+             shared::BouncePathsArguments{devicePaths,
+                                          devicePoints,
+                                          both.deviceScene.materials,
+                                          rays,
+                                          nextPaths,
+                                          none,
+                                          kPoints,
+                                          kDepth,
+                                          kDepth,
+                                          kPass,
+                                          {}},
              kPoints);
     CHECK(std::ranges::count(none.host(), 0U) == kPoints);
 }
@@ -94,9 +112,20 @@ TEST_CASE("light sampled for paths that go on is weighed against what they may m
     const auto contributions = both.room<vec3>(kPoints);
     const std::uint32_t maxDepth = both.scene.render.maxDepth;
     both.run("sample_lights",
-             shared::SampleLightsArguments{devicePoints, both.deviceScene.materials, both.deviceScene.lights, rays,
-                                           contributions, kPoints, both.deviceScene.lightCount, shared::kNone, kPass,
-                                           maxDepth, kDepth, 0},
+             shared::SampleLightsArguments{devicePoints,
+                                           both.deviceScene.materials,
+                                           both.deviceScene.lights,
+                                           rays,
+                                           contributions,
+                                           kPoints,
+                                           both.deviceScene.lightCount,
+                                           shared::kNone,
+                                           kPass,
+                                           maxDepth,
+                                           kDepth,
+                                           0,
+                                           {},
+                                           {}},
              kPoints);
     std::size_t coins = 0;
     std::size_t lit = 0;

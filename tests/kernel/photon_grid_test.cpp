@@ -87,11 +87,13 @@ TEST_CASE("the grid holds every stored photon once, buckets together, in the ord
             }
         }
         std::ranges::sort(expected);
+        const auto sorted = grid.sorted().read();
+        const auto cellStarts = grid.cellStarts().read();
         for (std::size_t i = 0; i < expected.size(); ++i) {
-            REQUIRE(grid.sorted().host()[i].position == photons[expected[i].second].position);
-            REQUIRE(grid.sorted().host()[i].power == photons[expected[i].second].power);
-            REQUIRE(grid.cellStarts().host()[expected[i].first] <= i);
-            REQUIRE(grid.cellStarts().host()[expected[i].first + 1] > i);
+            REQUIRE(sorted[i].position == photons[expected[i].second].position);
+            REQUIRE(sorted[i].power == photons[expected[i].second].power);
+            REQUIRE(cellStarts[expected[i].first] <= i);
+            REQUIRE(cellStarts[expected[i].first + 1] > i);
         }
     }
 }

@@ -59,7 +59,7 @@ TEST_CASE("photons are stored, scattered and absorbed as in the reference at eve
     const auto nextRays = both.room<shared::Ray>(count);
     const auto nextPaths = both.room<shared::PhotonPath>(count);
     const auto alive = both.room<shared::uint>(count);
-    both.run("trace_closest", shared::TraceClosestArguments{deviceRays, hits, count, both.deviceScene.rootNode, 0},
+    both.run("trace_closest", shared::TraceClosestArguments{deviceRays, hits, count, both.deviceScene.rootNode, 0, {}},
              count);
 
     const auto fates = both.room<shared::PhotonFate>(count);
@@ -69,11 +69,13 @@ TEST_CASE("photons are stored, scattered and absorbed as in the reference at eve
         pass.kinds = wanted;
         const auto& d = both.deviceScene;
         std::ranges::fill(fates.host(), shared::PhotonFate{});
-        both.run("scatter_photon",
-                 shared::ScatterPhotonArguments{deviceRays, hits, devicePaths, d.materials, d.normals, d.instances,
-                                                photons, fates, nextRays, nextPaths, alive, count, 7, depth,
-                                                scene.render.maxDepth, pass.sequence, pass.kinds, 1},
-                 count);
+        both.run(
+            "scatter_photon",
+            shared::ScatterPhotonArguments{deviceRays,    hits,       devicePaths, d.materials,   d.normals,
+                                           d.instances,   photons,    fates,       nextRays,      nextPaths,
+                                           alive,         count,      7,           depth,         scene.render.maxDepth,
+                                           pass.sequence, pass.kinds, 1,           shared::kNone, {}},
+            count);
         std::size_t stored = 0;
         std::size_t coins = 0;
         for (std::uint32_t i = 0; i < count; ++i) {

@@ -75,8 +75,8 @@ BuiltTree buildTree(BothSides& both, render::PhotonTree& tree, const std::vector
     const auto table = both.room<shared::Photon>(photons.size() + base);
     tree.build(both.device, devicePhotons, static_cast<std::uint32_t>(photons.size()), table, base);
     both.device.commands.finish();
-    const auto nodes = table.host().subspan(base, tree.photonCount());
-    const auto slots = tree.order().host().first(tree.photonCount());
+    const auto nodes = table.read(base, tree.photonCount());
+    const auto slots = tree.order().read(0, tree.photonCount());
     return {{nodes.begin(), nodes.end()}, {slots.begin(), slots.end()}};
 }
 

@@ -2,7 +2,9 @@
 #include "kernel/kernel_support.h"
 #include "reference/film/film.h"
 #include "render/film/film.h"
+#include "render/wavefront/device_counter.h"
 #include "render/wavefront/next_rays.h"
+#include "render/wavefront/path_queue.h"
 #include "render/wavefront/prefix_sum.h"
 
 #include <numeric>
@@ -29,52 +31,92 @@ TEST_CASE("prefix sums equal the sequential ones at every size around the chunks
     }
 }
 
-TEST_CASE("compaction keeps the paths that go on, in their order") {
+TEST_CASE("the size of a queue says how many workgroups of which rows its elements need") {
+    const auto sizeIs = [](std::uint32_t count, std::uint32_t x, std::uint32_t y) {
+        const shared::QueueSize size = shared::queueSize(count, 7);
+        return size.count == count && size.groupsX == x && size.groupsY == y && size.groupsZ == 1 && size.before == 7;
+    };
+    CHECK(sizeIs(0, 0, 0));
+    CHECK(sizeIs(1, 1, 1));
+    CHECK(sizeIs(64, 1, 1));
+    CHECK(sizeIs(65, 2, 1));
+    CHECK(sizeIs(32768 * 64, 32768, 1)); // a row
+    CHECK(sizeIs(32768 * 64 + 1, 32768, 2));
+    CHECK(sizeIs(0xffffffff, 32768, 2048)); // 2^26 groups
+    CHECK(shared::chunksOf(0) == 0);
+    CHECK(shared::chunksOf(128) == 1);
+    CHECK(shared::chunksOf(129) == 2);
+}
+
+TEST_CASE("compaction keeps the paths that go on, in their order, and counts them, bounce after bounce") {
     BothSides both(reference::test::cornellBox());
-    const std::uint32_t count = 10000;
-    std::vector<shared::uint> alive(count);
-    std::vector<shared::uint> offsets(count);
-    std::vector<shared::Ray> rays(count);
-    std::vector<shared::CameraPath> camera(count);
-    std::vector<shared::PhotonPath> photon(count);
-    std::vector<std::uint32_t> kept;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        alive[i] = shared::hash(i) % 3 == 0 ? 1 : 0;
-        offsets[i] = static_cast<shared::uint>(kept.size());
-        rays[i].tMax = static_cast<float>(i);
-        camera[i].pixel = i;
-        photon[i].photon = i;
-        if (alive[i] != 0) {
-            kept.push_back(i);
+    render::Compaction compaction(both.device);
+    // Of one workgroup's sums, and of chunks; 2 and 1 levels
+    for (const std::uint32_t count : {300'000U, 10'000U}) {
+        CAPTURE(count);
+        render::CameraQueue camera(both.device.context, count);
+        render::PhotonQueue photon(both.device.context, count);
+        const render::DeviceCounter counter(both.device.context, "paths");
+        std::vector<shared::Ray> rays(count);
+        std::vector<shared::CameraPath> cameraPaths(count);
+        std::vector<shared::PhotonPath> photonPaths(count);
+        std::vector<shared::uint> alive(count);
+        std::vector<std::uint32_t> kept(count);
+        std::iota(kept.begin(), kept.end(), 0U);
+        camera.sizes.begin(both.device, count);
+        photon.sizes.begin(both.device, count);
+        std::uint64_t counted = 0;
+        for (const std::uint32_t every : {3U, 2U, 1U}) { // a third goes on, half of these, none
+            std::vector<std::uint32_t> next;
+            for (std::uint32_t i = 0; i < kept.size(); ++i) {
+                rays[i].tMax = static_cast<float>(kept[i]);
+                cameraPaths[i].pixel = kept[i];
+                photonPaths[i].medium = kept[i];
+                alive[i] = every > 1 && shared::hash(kept[i]) % every == 0 ? 1 : 0;
+                if (alive[i] != 0) {
+                    next.push_back(kept[i]);
+                }
+            }
+            counted += kept.size();
+            camera.nextRays.write(rays);
+            camera.nextPaths.write(cameraPaths);
+            camera.alive.write(alive);
+            compaction.run(both.device, camera, counter);
+            photon.nextRays.write(rays);
+            photon.nextPaths.write(photonPaths);
+            photon.alive.write(alive);
+            compaction.run(both.device, photon);
+            REQUIRE(camera.sizes.read(both.device).count == next.size());
+            REQUIRE(photon.sizes.read(both.device).count == next.size());
+            CHECK(camera.sizes.read(both.device).before == counted);
+            const auto outRays = camera.rays.read();
+            const auto outCamera = camera.paths.read();
+            const auto outPhoton = photon.paths.read();
+            for (std::size_t i = 0; i < next.size(); ++i) {
+                REQUIRE(outRays[i].tMax == static_cast<float>(next[i]));
+                REQUIRE(outCamera[i].pixel == next[i]);
+                REQUIRE(outPhoton[i].medium == next[i]);
+            }
+            kept = next;
         }
-    }
-    const auto deviceAlive = both.upload(alive);
-    const auto deviceOffsets = both.upload(offsets);
-    const auto nextRays = both.upload(rays);
-    const auto nextCamera = both.upload(camera);
-    const auto nextPhoton = both.upload(photon);
-    const auto outRays = both.room<shared::Ray>(count);
-    const auto outCamera = both.room<shared::CameraPath>(count);
-    const auto outPhoton = both.room<shared::PhotonPath>(count);
-    both.run("compact_camera_paths",
-             shared::CompactCameraPathsArguments{deviceAlive, deviceOffsets, nextRays, nextCamera, outRays, outCamera,
-                                                 count},
-             count);
-    for (std::size_t i = 0; i < kept.size(); ++i) {
-        REQUIRE(outCamera.host()[i].pixel == kept[i]);
-        REQUIRE(outRays.host()[i].tMax == static_cast<float>(kept[i]));
-    }
-    both.run("compact_photon_paths",
-             shared::CompactPhotonPathsArguments{deviceAlive, deviceOffsets, nextRays, nextPhoton, outRays, outPhoton,
-                                                 count},
-             count);
-    for (std::size_t i = 0; i < kept.size(); ++i) {
-        REQUIRE(outPhoton.host()[i].photon == kept[i]);
-        REQUIRE(outRays.host()[i].tMax == static_cast<float>(kept[i]));
+        CHECK(counter.read() == counted);
     }
 }
 
-TEST_CASE("the slots of next rays are listed without gaps, in order") {
+TEST_CASE("a counter on the device carries into its upper word") {
+    BothSides both(reference::test::cornellBox());
+    render::CameraQueue queue(both.device.context, 1000);
+    render::Compaction compaction(both.device);
+    const render::DeviceCounter counter(both.device.context, "carrying");
+    counter.set(0x5'ffff'fff0); // 16 from the carry
+    queue.alive.fill(0);
+    queue.sizes.begin(both.device, 1000);
+    compaction.run(both.device, queue, counter);
+    both.device.commands.finish();
+    CHECK(counter.read() == 0x5'ffff'fff0 + 1000);
+}
+
+TEST_CASE("the slots of next rays are listed without gaps, in order, as far as there is room") {
     BothSides both(reference::test::cornellBox());
     render::NextRays nextRays(both.device);
     const gpu::Array<shared::uint> slots = both.room<shared::uint>(40000);
@@ -89,11 +131,21 @@ TEST_CASE("the slots of next rays are listed without gaps, in order") {
             }
         }
         const auto deviceAlive = both.upload(alive);
-        REQUIRE(nextRays.count(both.device, deviceAlive, count) == expected.size());
-        nextRays.list(both.device, deviceAlive, count, 2, slots);
+        render::QueueSizes sizes(both.device.context, 2, "test");
+        sizes.begin(both.device, count);
+        nextRays.count(both.device, deviceAlive, sizes);
+        both.device.commands.finish();
+        REQUIRE(sizes.readNext().count == expected.size());
+        nextRays.list(both.device, deviceAlive, sizes, 2, slots);
         both.device.commands.finish();
         const auto listed = slots.read();
         CHECK(std::equal(expected.begin(), expected.end(), listed.begin()));
+
+        const auto few = both.upload(std::vector<shared::uint>(expected.size() / 2, shared::kNone));
+        nextRays.list(both.device, deviceAlive, sizes, 2, few);
+        both.device.commands.finish();
+        const auto first = few.read();
+        CHECK(std::equal(first.begin(), first.end(), expected.begin()));
     }
 }
 
@@ -108,7 +160,7 @@ TEST_CASE("the paths of a pixel are summed whole, and other pixels are left alon
     const auto devicePixels = both.upload(pixels);
     const auto deviceLight = both.upload(light);
     const auto radiance = both.upload(std::vector<vec3>(8, vec3(0.5)));
-    both.run("sum_paths", shared::SumPathsArguments{devicePixels, deviceLight, radiance, 6}, 6);
+    both.run("sum_paths", shared::SumPathsArguments{devicePixels, deviceLight, radiance, 6, {}}, 6);
     const auto sum = radiance.read();
     CHECK(sum[3] == vec3(0.5 + 7, 0.5 + 7 + 64 * 7, 0.5 + 7));
     CHECK(sum[5] == vec3(0.5 + 8, 0.5 + 8 + 64 * 8, 0.5 + 8));

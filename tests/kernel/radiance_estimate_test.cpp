@@ -39,7 +39,7 @@ Estimates estimate(BothSides& both, render::PhotonStructure structure, const std
     }
     both.device.commands.finish();
     both.device.tables.set(TABLE_PHOTONS, table.buffer(), gpu::TexelFormat::Float4);
-    const render::RadianceEstimate kernel(both.device, both.deviceScene, structure, search.nearest);
+    render::RadianceEstimate kernel(both.device, both.deviceScene, structure, search.nearest);
     const auto devicePoints = both.upload(points);
     const auto gathered = both.room<vec3>(count);
     const auto radii = both.room<float>(count);

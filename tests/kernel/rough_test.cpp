@@ -113,9 +113,17 @@ TEST_CASE("rough points get the light of the reference's samples") {
     for (const std::uint32_t light : {shared::kNone, 0U, 1U, 2U}) { // a point, a quad, a sphere
         const auto direct = b.both.upload(std::vector<vec3>(count, vec3(0)));
         b.both.run("sample_rough_lights",
-                   shared::SampleRoughLightsArguments{b.device->rough, b.both.deviceScene.materials,
-                                                      b.both.deviceScene.lights, direct, count, 3, light, 3,
-                                                      b.both.deviceScene.rootNode},
+                   shared::SampleRoughLightsArguments{b.device->rough,
+                                                      b.both.deviceScene.materials,
+                                                      b.both.deviceScene.lights,
+                                                      direct,
+                                                      count,
+                                                      3,
+                                                      light,
+                                                      3,
+                                                      b.both.deviceScene.rootNode,
+                                                      {},
+                                                      {}},
                    count);
         const auto one = light == shared::kNone ? std::nullopt : std::optional<std::uint32_t>(light);
         std::size_t lit = 0;

@@ -179,7 +179,8 @@ TEST_CASE("a ray that leaves a quad or a sphere does not hit it again at once") 
     const auto deviceRays = both.upload(leaving);
     const auto hits = both.room<shared::Hit>(leavingCount);
     both.run("trace_closest",
-             shared::TraceClosestArguments{deviceRays, hits, leavingCount, both.deviceScene.rootNode, 0}, leavingCount);
+             shared::TraceClosestArguments{deviceRays, hits, leavingCount, both.deviceScene.rootNode, 0, {}},
+             leavingCount);
     std::size_t again = 0;
     for (std::uint32_t i = 0; i < leavingCount; ++i) {
         again += hits.host()[i].object == from[i] ? 1 : 0;

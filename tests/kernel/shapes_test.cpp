@@ -32,7 +32,7 @@ Found find(BothSides& both, const std::vector<shared::Ray>& rays) {
     const auto deviceRays = both.upload(rays);
     const auto hits = both.room<shared::Hit>(count);
     const auto& d = both.deviceScene;
-    both.run("trace_closest", shared::TraceClosestArguments{deviceRays, hits, count, d.rootNode, 0}, count);
+    both.run("trace_closest", shared::TraceClosestArguments{deviceRays, hits, count, d.rootNode, 0, {}}, count);
     std::vector<shared::CameraPath> paths(count);
     for (std::uint32_t i = 0; i < count; ++i) {
         paths[i] = {vec3(1), i, i, shared::kNone, 0};
@@ -61,7 +61,8 @@ Found find(BothSides& both, const std::vector<shared::Ray>& rays) {
                                            12,
                                            0,
                                            {},
-                                           0},
+                                           0,
+                                           {}},
              count);
     return {hits.read(), points.read()};
 }

@@ -19,7 +19,7 @@ std::vector<shared::Hit> trace(BothSides& both, const std::vector<shared::Ray>& 
     const auto count = static_cast<std::uint32_t>(rays.size());
     const auto deviceRays = both.upload(rays);
     const auto hits = both.room<shared::Hit>(count);
-    both.run("trace_closest", shared::TraceClosestArguments{deviceRays, hits, count, both.deviceScene.rootNode, 13},
+    both.run("trace_closest", shared::TraceClosestArguments{deviceRays, hits, count, both.deviceScene.rootNode, 13, {}},
              count);
     return hits.read();
 }
@@ -136,7 +136,8 @@ TEST_CASE("shadow rays are blocked where they are in the reference") {
     const auto contributions = both.upload(std::vector<vec3>(count + 1, vec3(1, 2, 3)));
     const auto direct = both.upload(std::vector<vec3>(count + 1, vec3(10)));
     both.run("trace_shadow",
-             shared::TraceShadowArguments{deviceRays, contributions, direct, count + 1, both.deviceScene.rootNode, 13},
+             shared::TraceShadowArguments{
+                 deviceRays, contributions, direct, count + 1, both.deviceScene.rootNode, 13, {}, {}, {}},
              count + 1);
     std::size_t different = 0;
     for (std::uint32_t i = 0; i < count; ++i) {

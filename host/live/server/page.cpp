@@ -7,6 +7,7 @@ namespace hyalite::live {
 extern const std::string_view kPageHtml;
 extern const std::string_view kPageCss;
 extern const std::string_view kPageJs;
+extern const std::string_view kPathJs;
 extern const std::string_view kCameraJs;
 extern const std::string_view kEditorJs;
 extern const std::string_view kCodeMirrorJs;
@@ -18,6 +19,7 @@ const std::vector<Asset>& pageAssets() {
         {"/live.css", "text/css; charset=utf-8", kPageCss},
         {"/settings.js", "text/javascript; charset=utf-8", settingsScript()},
         {"/live.js", "text/javascript; charset=utf-8", kPageJs},
+        {"/path.js", "text/javascript; charset=utf-8", kPathJs},
         {"/camera.js", "text/javascript; charset=utf-8", kCameraJs},
         {"/editor.js", "text/javascript; charset=utf-8", kEditorJs},
         {"/codemirror.js", "text/javascript; charset=utf-8", kCodeMirrorJs},

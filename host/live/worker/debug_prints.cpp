@@ -44,8 +44,8 @@ std::string lineOf(const std::string& kernel, const Record& record) {
 } // namespace
 
 DebugPrints::DebugPrints(const gpu::Context& context, gpu::TexelTables& tables)
-    : words_(context, shared::kDebugHeader + kRecords * shared::kDebugWords, "debug prints"),
-      address_(context, 1, "address of debug prints"), tables_(tables) {
+    : words_(context, shared::kDebugHeader + kRecords * shared::kDebugWords, "debug prints", gpu::Memory::Host),
+      address_(context, 1, "address of debug prints", gpu::Memory::Host), tables_(tables) {
     std::ranges::fill(words_.host(), 0U);
     words_.host()[shared::kDebugRoom] = kRecords;
     address_.host()[0] = glm::vec4(0);

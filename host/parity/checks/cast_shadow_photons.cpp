@@ -35,8 +35,7 @@ void compareCastShadowPhotons(const Stage& stage) {
     const auto rays = stage.seen.before<shared::Ray>(args.rays, args.count);
     const auto hits = stage.seen.before<shared::Hit>(args.hits, args.count);
     const auto paths = stage.seen.before<shared::PhotonPath>(args.paths, args.count);
-    const auto photons = stage.seen.after<shared::Photon>(args.photons, args.firstPhoton + std::size_t{args.count})
-                             .subspan(args.firstPhoton);
+    const auto photons = photonsStored(stage.seen, args);
     const auto nextRays = stage.seen.after<shared::Ray>(args.nextRays, args.count);
     const auto nextPaths = stage.seen.after<shared::PhotonPath>(args.nextPaths, args.count);
     const auto alive = stage.seen.after<shared::uint>(args.alive, args.count);

@@ -8,16 +8,15 @@ namespace hyalite::parity {
 namespace {
 
 constexpr auto kChecks = std::to_array<const Check*>({
-    &kGenerateCameraRays, &kTraceClosest,       &kShadeSurface,       &kTraceWhitted,    &kSampleLights,
-    &kSampleRoughLights,  &kTraceShadow,        &kBouncePaths,        &kEmitPhotons,     &kEmitCausticPhotons,
-    &kScatterPhoton,      &kCastShadowPhotons,  &kScanGroup,          &kSumChunks,       &kScanChunks,
-    &kListNextRays,       &kCompactCameraPaths, &kCompactPhotonPaths, &kCountCells,      &kFillCells,
-    &kOrderCells,         &kSortPhotons,        &kMarkPhotons,        &kKeyPhotons,      &kCountDigits,
-    &kSortDigits,         &kSplitNodes,         &kCountSides,         &kPartSides,       &kFinishSubtrees,
-    &kPlacePhotons,       &kGatherRadiance,     &kEstimateRadiance,   &kBeginIrradiance, &kStoreIrradiance,
-    &kLookUpIrradiance,   &kClassifyVisibility, &kSkipShadowRays,     &kStartGatherRays, &kShowSurface,
-    &kSplatPhotons,       &kSumPaths,           &kAddGatheredLight,   &kAccumulateFilm,  &kResolveFilm,
-    &kEstimateError,
+    &kGenerateCameraRays, &kTraceClosest,      &kShadeSurface,    &kTraceWhitted,    &kSampleLights,
+    &kSampleRoughLights,  &kTraceShadow,       &kBouncePaths,     &kEmitPhotons,     &kEmitCausticPhotons,
+    &kScatterPhoton,      &kCastShadowPhotons, &kScanGroup,       &kSumChunks,       &kScanChunks,
+    &kListNextRays,       &kCompactPaths,      &kCountCells,      &kFillCells,       &kOrderCells,
+    &kSortPhotons,        &kMarkPhotons,       &kKeyPhotons,      &kCountDigits,     &kSortDigits,
+    &kSplitNodes,         &kCountSides,        &kPartSides,       &kFinishSubtrees,  &kPlacePhotons,
+    &kGatherRadiance,     &kEstimateRadiance,  &kBeginIrradiance, &kStoreIrradiance, &kLookUpIrradiance,
+    &kClassifyVisibility, &kSkipShadowRays,    &kStartGatherRays, &kShowSurface,     &kSplatPhotons,
+    &kSumPaths,           &kAddGatheredLight,  &kAccumulateFilm,  &kResolveFilm,     &kEstimateError,
 });
 
 } // namespace

@@ -4,6 +4,8 @@
 #include "shaders/shared/kernel_arguments.h"
 #include "shaders/shared/limits.h"
 
+#include <numeric>
+
 namespace hyalite::parity {
 
 namespace {
@@ -12,6 +14,11 @@ struct SumFields : FieldSet<1> {
     const Field& sum = exact("sum");
 };
 constexpr SumFields kSums;
+
+struct QueueFields : FieldSet<1> {
+    const Field& nextSize = exact("next size");
+};
+constexpr QueueFields kQueue;
 
 // Exclusive sums, the total last; they begin anew with what precedes each chunk, where that is given.
 void compareSums(const Stage& stage, std::span<const shared::uint> values, std::span<const shared::uint> sums,
@@ -32,8 +39,22 @@ void compareSums(const Stage& stage, std::span<const shared::uint> values, std::
 
 void compareScanGroup(const Stage& stage) {
     const auto args = stage.seen.arguments<shared::ScanGroupArguments>();
-    compareSums(stage, stage.seen.before<shared::uint>(args.values, args.count),
-                stage.seen.after<shared::uint>(args.sums, std::size_t{args.count} + 1), {});
+    const auto values = stage.seen.before<shared::uint>(args.values, args.count);
+    compareSums(stage, values, stage.seen.after<shared::uint>(args.sums, std::size_t{args.count} + 1), {});
+    if (args.queue.address == 0) {
+        return;
+    }
+    // What the queue will hold: the total of its flags
+    const shared::QueueSize queue = stage.seen.before<shared::QueueSize>(args.queue, 1)[0];
+    std::uint32_t count = std::accumulate(values.begin(), values.end(), 0U);
+    for (const shared::QueueSize& next : stage.seen.after<shared::QueueSize>(args.next, shared::kQueueLevels)) {
+        Answer device;
+        device.exact(kQueue.nextSize, sameBits(next, shared::queueSize(count, queue.before + queue.count)) ? 1 : 0);
+        Answer expected;
+        expected.exact(kQueue.nextSize, 1);
+        stage.compareExact(0, device, expected);
+        count = shared::chunksOf(count);
+    }
 }
 
 void compareSumChunks(const Stage& stage) {
@@ -66,7 +87,7 @@ void compareScanChunks(const Stage& stage) {
 
 } // namespace
 
-const Check kScanGroup{.kernel = "scan_group", .compare = compareScanGroup, .fields = {kSums.all()}};
+const Check kScanGroup{.kernel = "scan_group", .compare = compareScanGroup, .fields = {kSums.all(), kQueue.all()}};
 const Check kSumChunks{.kernel = "sum_chunks", .compare = compareSumChunks, .fields = {kSums.all()}};
 const Check kScanChunks{.kernel = "scan_chunks", .compare = compareScanChunks, .fields = {kSums.all()}};
 

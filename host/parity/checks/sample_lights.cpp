@@ -46,11 +46,12 @@ Answer answerOf(const std::optional<reference::LightSample>& sample) {
 
 void compareSampleLights(const Stage& stage) {
     const auto args = stage.seen.arguments<shared::SampleLightsArguments>();
-    const auto points = stage.seen.before<shared::VisiblePoint>(args.visiblePoints, args.count);
+    const auto points = stage.seen.before<shared::VisiblePoint>(args.visiblePoints, Observed::kWhole);
+    const auto paths = stage.seen.before<shared::CameraPath>(args.paths, args.count); // none: a point per thread
     const auto rays = stage.seen.after<shared::Ray>(args.shadowRays, args.count);
     const auto contributions = stage.seen.after<glm::vec3>(args.contributions, args.count);
     for (std::size_t i = 0; i < args.count; ++i) {
-        const shared::VisiblePoint& point = points[i];
+        const shared::VisiblePoint& point = points[paths.empty() ? i : paths[i].pixel];
         std::optional<reference::LightSample> sampled;
         if (rays[i].tMax > 0) {
             const dvec3 from(rays[i].origin);

@@ -56,8 +56,7 @@ struct ScatterStage {
         rays = s.seen.before<shared::Ray>(args.rays, args.count);
         hits = s.seen.before<shared::Hit>(args.hits, args.count);
         paths = s.seen.before<shared::PhotonPath>(args.paths, args.count);
-        photons = s.seen.after<shared::Photon>(args.photons, args.firstPhoton + std::size_t{args.count});
-        photons = photons.subspan(args.firstPhoton);
+        photons = photonsStored(s.seen, args);
         fatesBefore = s.seen.before<shared::PhotonFate>(args.fates, all);
         fates = s.seen.after<shared::PhotonFate>(args.fates, all);
         nextRays = s.seen.after<shared::Ray>(args.nextRays, args.count);
@@ -164,8 +163,7 @@ void noteScattering(PathRecorder& recorder, const Observed& dispatch) {
     const auto rays = dispatch.before<shared::Ray>(args.rays, args.count);
     const auto hits = dispatch.before<shared::Hit>(args.hits, args.count);
     const auto paths = dispatch.before<shared::PhotonPath>(args.paths, args.count);
-    const auto photons = dispatch.after<shared::Photon>(args.photons, args.firstPhoton + std::size_t{args.count})
-                             .subspan(args.firstPhoton);
+    const auto photons = photonsStored(dispatch, args);
     const auto nextRays = dispatch.after<shared::Ray>(args.nextRays, args.count);
     const auto alive = dispatch.after<shared::uint>(args.alive, args.count);
     for (std::size_t i = 0; i < args.count; ++i) {

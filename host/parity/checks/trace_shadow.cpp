@@ -19,15 +19,19 @@ void compareTraceShadow(const Stage& stage) {
     const auto args = stage.seen.arguments<shared::TraceShadowArguments>();
     const auto rays = stage.seen.before<shared::Ray>(args.shadowRays, args.count);
     const auto contributions = stage.seen.before<glm::vec3>(args.contributions, args.count);
-    const auto before = stage.seen.before<glm::vec3>(args.direct, args.count);
-    const auto after = stage.seen.after<glm::vec3>(args.direct, args.count);
+    const auto paths = stage.seen.before<shared::CameraPath>(args.paths, args.count); // none: a pixel per ray
+    const auto allBefore = stage.seen.before<glm::vec3>(args.direct, Observed::kWhole);
+    const auto allAfter = stage.seen.after<glm::vec3>(args.direct, Observed::kWhole);
     const Sides& sides = stage.sides;
     for (std::size_t i = 0; i < args.count; ++i) {
         const shared::Ray& ray = rays[i];
+        const std::size_t pixel = paths.empty() ? i : paths[i].pixel;
+        const glm::vec3& before = allBefore[pixel];
+        const glm::vec3& after = allAfter[pixel];
         const bool isTraced = ray.tMax > 0;
         Answer device;
-        device.exact(kShadow.added, after[i] != before[i] ? 1 : 0);
-        device.vector(kShadow.direct, dvec3(after[i]));
+        device.exact(kShadow.added, after != before ? 1 : 0);
+        device.vector(kShadow.direct, dvec3(after));
         stage.compare(
             i, device,
             [&](Nudge nudge) {
@@ -40,8 +44,8 @@ void compareTraceShadow(const Stage& stage) {
                 }
                 Answer answer;
                 // What adds less than a rounding leaves no trace
-                answer.exact(kShadow.added, isSeen && before[i] + contributions[i] != before[i] ? 1 : 0);
-                answer.vector(kShadow.direct, dvec3(before[i]) + (isSeen ? dvec3(contributions[i]) : dvec3(0)));
+                answer.exact(kShadow.added, isSeen && before + contributions[i] != before ? 1 : 0);
+                answer.vector(kShadow.direct, dvec3(before) + (isSeen ? dvec3(contributions[i]) : dvec3(0)));
                 return answer;
             },
             [&] {

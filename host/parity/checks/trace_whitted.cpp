@@ -31,7 +31,7 @@ void compareLight(const AtSurface& at, const shared::TraceWhittedArguments& args
     const Sides& sides = at.stage.sides;
     const shared::VisiblePoint& point = at.visible[i];
     const glm::vec3& emitted = at.emitted[i];
-    const glm::vec3& arrived = light[args.fromCamera != 0 ? at.paths[i].pixel : i];
+    const glm::vec3& arrived = light[args.slots.address == 0 ? at.paths[i].pixel : i];
     const auto answerOf = [&](const dvec3& radiance, bool isLit) {
         Answer answer;
         answer.exact(kTree.lit, isLit ? 1 : 0);
@@ -70,7 +70,7 @@ void compareTraceWhitted(const Stage& stage) {
     const auto paths = stage.seen.before<shared::CameraPath>(args.paths, Observed::kWhole);
     const auto pixels = stage.seen.after<shared::uint>(args.pixels, args.count);
     for (std::size_t i = 0; i < args.count; ++i) {
-        if (args.fromCamera != 0) {
+        if (args.slots.address == 0) {
             const auto thread = static_cast<std::uint32_t>(i);
             const std::uint32_t pixel =
                 shared::pixelOfThread(thread, thread / (shared::kTileSide * width), width, args.count);
@@ -94,7 +94,7 @@ void compareTraceWhitted(const Stage& stage) {
 
 void noteTree(PathRecorder& recorder, const Observed& dispatch) {
     const auto args = dispatch.arguments<shared::TraceWhittedArguments>();
-    if (args.fromCamera != 0) {
+    if (args.slots.address == 0) {
         recorder.beginCameraPass();
     }
     const auto rays = dispatch.after<shared::Ray>(args.keptRays, args.count);

@@ -1,7 +1,5 @@
 #include "render/debug/debug_view.h"
 
-#include <algorithm>
-
 namespace hyalite::render {
 
 DebugView::DebugView(const IntegratorInput& input, DebugQuantity quantity)
@@ -26,13 +24,15 @@ void DebugView::renderPass(std::uint32_t pass) {
 
 void DebugView::drawSurfaces() {
     const CameraQueue& queue = cameraPaths_.queue();
+    const std::uint32_t count = queue.capacity();
     device_.commands.run(traceClosest_,
                          shared::TraceClosestArguments{.rays = queue.rays,
                                                        .hits = queue.hits,
-                                                       .count = queue.count,
+                                                       .count = count,
                                                        .rootNode = deviceScene_.rootNode,
-                                                       .width = deviceScene_.widthOf(queue.count)},
-                         queue.count);
+                                                       .width = deviceScene_.widthOf(count),
+                                                       .live = {}},
+                         count);
     const std::uint32_t shown = quantity_ == DebugQuantity::Depth ? shared::kShowDepth : shared::kShowNormals;
     device_.commands.run(showSurface_,
                          shared::ShowSurfaceArguments{.rays = queue.rays,
@@ -40,18 +40,21 @@ void DebugView::drawSurfaces() {
                                                       .normals = deviceScene_.normals,
                                                       .instances = deviceScene_.instances,
                                                       .colors = colors_,
-                                                      .count = queue.count,
+                                                      .count = count,
                                                       .shown = shown},
-                         queue.count);
-    counts_[Counter::CameraRays] += queue.count;
+                         count);
+    counts_[Counter::CameraRays] += count;
 }
 
 void DebugView::countSegments(std::uint32_t pass) {
-    counts_[Counter::CameraRays] += cameraPaths_.follow(pass, visiblePoints_, emitted_, nullptr).camera;
+    cameraPaths_.follow(pass, visiblePoints_, emitted_, nullptr);
     device_.commands.finish();
-    std::ranges::transform(visiblePoints_.host(), colors_.host().begin(), [](const shared::VisiblePoint& point) {
-        return glm::vec3(static_cast<float>(point.depth));
-    });
+    counts_[Counter::CameraRays] = cameraPaths_.raysTraced().camera;
+    std::vector<glm::vec3> colors;
+    for (const shared::VisiblePoint& point : visiblePoints_.read()) {
+        colors.emplace_back(static_cast<float>(point.depth));
+    }
+    colors_.write(colors);
 }
 
 } // namespace hyalite::render

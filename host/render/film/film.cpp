@@ -25,7 +25,7 @@ Film::Film(Device& device, glm::uvec2 resolution, std::vector<LayerKind> layers)
         device.commands.clear(sums.buffer());
     }
     faults_.resize(layers_.size() * shared::kFilmFaults);
-    passFaults_ = {device.context, faults_.size(), "faults of the film"};
+    passFaults_ = {device.context, faults_.size(), "faults of the film", gpu::Memory::Host};
     std::ranges::fill(passFaults_.host(), kNoFault);
 }
 
@@ -101,7 +101,7 @@ std::optional<double> Film::estimateError(Device& device) {
                         static_cast<std::uint32_t>(errorSums_.count()));
     device.commands.finish();
     double sum = 0;
-    for (const float chunk : errorSums_.host()) {
+    for (const float chunk : errorSums_.read()) {
         sum += chunk;
     }
     return std::sqrt(sum / (3.0 * pixelCount()));

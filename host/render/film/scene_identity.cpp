@@ -4,6 +4,7 @@
 #include "gpu/shader_compiler.h"
 #include "scene/yaml/settings_table.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <filesystem>
@@ -14,7 +15,12 @@ namespace {
 
 template <class T>
 std::uint64_t fnvOf(const gpu::Array<T>& array, std::uint64_t state) {
-    return fnv(std::as_bytes(array.host()), state);
+    constexpr std::size_t kAtOnce = std::size_t{1} << 20U; // of large meshes there is no room for two
+    for (std::size_t first = 0; first < array.count(); first += kAtOnce) {
+        const std::vector<T> part = array.read(first, std::min(kAtOnce, array.count() - first));
+        state = fnv(std::as_bytes(std::span(part)), state);
+    }
+    return state;
 }
 
 std::string hexadecimal(std::uint64_t value) {
@@ -28,7 +34,7 @@ std::string hexadecimal(std::uint64_t value) {
 std::uint64_t hashOf(const DeviceScene& deviceScene) {
     std::uint64_t state = kFnvStart;
     state = fnvOf(deviceScene.materials, state);
-    for (shared::LightRecord light : deviceScene.lights.host()) {
+    for (shared::LightRecord light : deviceScene.lights.read()) {
         light.triangles = {}; // where parts of lights stand differs from run to run; the parts themselves follow
         light.texels = {};
         light.cdfs = {};

@@ -28,12 +28,15 @@ PhotonGrid::PhotonGrid(Device& device)
 void PhotonGrid::reserve(Device& device, std::uint32_t slots) {
     // One bucket for every two slots: about half of the slots hold a photon
     const std::uint32_t buckets = std::max(kLeastBuckets, std::bit_ceil(slots / 2));
+    if (cellCounts_.count() < buckets || ranks_.count() < slots) {
+        device.commands.finish(); // what was recorded may use those that are replaced
+    }
     if (cellCounts_.count() < buckets) {
         cellCounts_ = {device.context, buckets, "photons per cell"};
         cellStarts_ = {device.context, buckets + std::size_t{1}, "cell starts"};
     }
     if (ranks_.count() < slots) {
-        const std::size_t room = slots + slots / 4; // passes differ a little
+        const std::size_t room = std::size_t{slots} + slots / 4; // passes differ a little
         ranks_ = {device.context, room, "photon ranks"};
         order_ = {device.context, room, "photon order"};
     }
@@ -43,12 +46,15 @@ void PhotonGrid::reserve(Device& device, std::uint32_t slots) {
 void PhotonGrid::build(Device& device, const gpu::Array<shared::Photon>& photons, std::uint32_t slots, float radius) {
     listByCell(device, photons, slots, radius);
     if (sorted_.count() < photonCount_) {
-        sorted_ = {device.context, photonCount_ + photonCount_ / 4, "sorted photons"}; // passes differ a little
+        sorted_ = {device.context, std::size_t{photonCount_} + photonCount_ / 4,
+                   "sorted photons"}; // passes differ a little
         device.tables.set(TABLE_PHOTONS, sorted_.buffer(), gpu::TexelFormat::Float4);
     }
     base_ = 0;
-    device.commands.run(sortPhotons_, shared::SortPhotonsArguments{photons, order_, sorted_, photonCount_},
-                        photonCount_);
+    device.commands.run(
+        sortPhotons_,
+        shared::SortPhotonsArguments{.photons = photons, .order = order_, .sorted = sorted_, .count = photonCount_},
+        photonCount_);
 }
 
 void PhotonGrid::build(Device& device, const gpu::Array<shared::Photon>& photons, std::uint32_t slots, float radius,
@@ -60,27 +66,40 @@ void PhotonGrid::build(Device& device, const gpu::Array<shared::Photon>& photons
     }
     base_ = base;
     const shared::PhotonArray sorted{table.buffer().address() + base * sizeof(shared::Photon)};
-    device.commands.run(sortPhotons_, shared::SortPhotonsArguments{photons, order_, sorted, photonCount_},
-                        photonCount_);
+    device.commands.run(
+        sortPhotons_,
+        shared::SortPhotonsArguments{.photons = photons, .order = order_, .sorted = sorted, .count = photonCount_},
+        photonCount_);
 }
 
 void PhotonGrid::listByCell(Device& device, const gpu::Array<shared::Photon>& photons, std::uint32_t slots,
                             float radius) {
-    device.commands.finish();
     reserve(device, slots);
     grid_.inverseCellSize = 1 / (kCellSize * radius);
     const std::uint32_t buckets = grid_.bucketMask + 1;
 
     // How many photons fall into each bucket, and where each bucket's photons begin
     device.commands.clear(cellCounts_.buffer());
-    device.commands.run(countCells_, shared::CountCellsArguments{photons, cellCounts_, ranks_, grid_, slots}, slots);
+    device.commands.run(
+        countCells_,
+        shared::CountCellsArguments{
+            .photons = photons, .cellCounts = cellCounts_, .ranks = ranks_, .grid = grid_, .count = slots},
+        slots);
     prefixSum_.run(device, cellCounts_, cellStarts_, buckets);
     // List them bucket by bucket, in the order in which they were emitted
-    device.commands.run(fillCells_, shared::FillCellsArguments{photons, cellStarts_, ranks_, order_, grid_, slots},
+    device.commands.run(fillCells_,
+                        shared::FillCellsArguments{.photons = photons,
+                                                   .cellStarts = cellStarts_,
+                                                   .ranks = ranks_,
+                                                   .order = order_,
+                                                   .grid = grid_,
+                                                   .count = slots},
                         slots);
-    device.commands.run(orderCells_, shared::OrderCellsArguments{cellStarts_, order_, buckets}, buckets);
+    device.commands.run(orderCells_,
+                        shared::OrderCellsArguments{.cellStarts = cellStarts_, .order = order_, .count = buckets},
+                        buckets);
     device.commands.finish();
-    photonCount_ = cellStarts_.host()[buckets];
+    photonCount_ = cellStarts_.read(buckets);
 }
 
 } // namespace hyalite::render

@@ -100,13 +100,13 @@ void PhotonMaps::build() {
 }
 
 std::uint32_t PhotonMaps::sortInto(SearchableMap& map, const gpu::Array<shared::Photon>& photons, std::uint32_t base,
-                                   float radius) const {
+                                   float radius) {
     map.build(device_, photons, static_cast<std::uint32_t>(photons.count()), table_, base, radius);
     device_.commands.finish();
     return base + map.record().count;
 }
 
-gpu::Array<shared::Photon> PhotonMaps::computeIrradiance(const gpu::Array<shared::Photon>& photons) const {
+gpu::Array<shared::Photon> PhotonMaps::computeIrradiance(const gpu::Array<shared::Photon>& photons) {
     const auto count = static_cast<std::uint32_t>(photons.count());
     const gpu::Array<shared::VisiblePoint> points(device_.context, count, "places of photons");
     const gpu::Array<glm::vec3> irradiance(device_.context, count, "irradiance");
@@ -114,15 +114,20 @@ gpu::Array<shared::Photon> PhotonMaps::computeIrradiance(const gpu::Array<shared
     gpu::Array<shared::Photon> records(device_.context, count, "records of irradiance");
     const gpu::Kernel beginIrradiance = device_.kernel("begin_irradiance");
     const gpu::Kernel storeIrradiance = device_.kernel("store_irradiance");
-    device_.commands.run(beginIrradiance, shared::BeginIrradianceArguments{photons, points, count}, count);
+    device_.commands.run(beginIrradiance,
+                         shared::BeginIrradianceArguments{.photons = photons, .visiblePoints = points, .count = count},
+                         count);
     estimateGlobal(points, kAllLight, irradiance, radii);
-    device_.commands.run(storeIrradiance, shared::StoreIrradianceArguments{photons, irradiance, records, count}, count);
+    device_.commands.run(storeIrradiance,
+                         shared::StoreIrradianceArguments{
+                             .photons = photons, .irradiance = irradiance, .records = records, .count = count},
+                         count);
     device_.commands.finish();
     return records;
 }
 
 void PhotonMaps::estimateGlobal(const gpu::Array<shared::VisiblePoint>& x, std::uint32_t kinds,
-                                const gpu::Array<glm::vec3>& gathered, const gpu::Array<float>& radii) const {
+                                const gpu::Array<glm::vec3>& gathered, const gpu::Array<float>& radii) {
     const auto count = static_cast<std::uint32_t>(x.count());
     estimateGlobal_.run(device_, global_.record(), x, count,
                         {.nearest = settings_.nearest,
@@ -135,7 +140,7 @@ void PhotonMaps::estimateGlobal(const gpu::Array<shared::VisiblePoint>& x, std::
 }
 
 void PhotonMaps::estimateCaustics(const gpu::Array<shared::VisiblePoint>& x, const gpu::Array<glm::vec3>& gathered,
-                                  const gpu::Array<float>& radii) const {
+                                  const gpu::Array<float>& radii) {
     const auto count = static_cast<std::uint32_t>(x.count());
     estimateCaustics_.run(device_, caustic_.record(), x, count,
                           {.nearest = settings_.causticNearest,
@@ -150,11 +155,16 @@ void PhotonMaps::estimateCaustics(const gpu::Array<shared::VisiblePoint>& x, con
 }
 
 void PhotonMaps::addIrradiance(const gpu::Array<shared::VisiblePoint>& y, const gpu::Array<glm::vec3>& gathered,
-                               float scale) const {
+                               float scale) {
     const auto count = static_cast<std::uint32_t>(y.count());
     device_.commands.run(lookUpIrradiance_,
-                         shared::LookUpIrradianceArguments{y, deviceScene_.materials, gathered, irradiance_.record(),
-                                                           globalRadius_, scale, count},
+                         shared::LookUpIrradianceArguments{.visiblePoints = y,
+                                                           .materials = deviceScene_.materials,
+                                                           .gathered = gathered,
+                                                           .map = irradiance_.record(),
+                                                           .radius = globalRadius_,
+                                                           .scale = scale,
+                                                           .count = count},
                          count);
 }
 
@@ -164,23 +174,32 @@ std::uint32_t PhotonMaps::classifiedNearest() const {
 }
 
 void PhotonMaps::classify(const gpu::Array<shared::VisiblePoint>& x, const gpu::Array<shared::uint>& lit,
-                          const gpu::Array<shared::uint>& shadowed) const {
+                          const gpu::Array<shared::uint>& shadowed) {
     const auto count = static_cast<std::uint32_t>(x.count());
     device_.commands.run(classifyVisibility_,
-                         shared::ClassifyVisibilityArguments{x, lit, shadowed, shadow_.record(),
-                                                             deviceScene_.lightCount, classifiedNearest(),
-                                                             settings_.shadowPhotons, causticRadius_, count},
+                         shared::ClassifyVisibilityArguments{.visiblePoints = x,
+                                                             .lit = lit,
+                                                             .shadowed = shadowed,
+                                                             .map = shadow_.record(),
+                                                             .lightCount = deviceScene_.lightCount,
+                                                             .nearest = classifiedNearest(),
+                                                             .agreeing = settings_.shadowPhotons,
+                                                             .radius = causticRadius_,
+                                                             .count = count},
                          count);
 }
 
-void PhotonMaps::splat(const gpu::Array<shared::uint>& counts) const {
+void PhotonMaps::splat(const gpu::Array<shared::uint>& counts) {
     const gpu::Kernel kernel = device_.kernel("splat_photons", deviceScene_.specialization);
     for (const auto* list : {&lists_.global, &lists_.caustic, &lists_.shadow}) {
         const gpu::Array<shared::Photon> photons = upload(device_, *list);
-        device_.commands.run(
-            kernel,
-            shared::SplatPhotonsArguments{photons, counts, deviceScene_.camera, countOf(*list), deviceScene_.rootNode},
-            countOf(*list));
+        device_.commands.run(kernel,
+                             shared::SplatPhotonsArguments{.photons = photons,
+                                                           .counts = counts,
+                                                           .camera = deviceScene_.camera,
+                                                           .count = countOf(*list),
+                                                           .rootNode = deviceScene_.rootNode},
+                             countOf(*list));
         device_.commands.finish();
     }
 }

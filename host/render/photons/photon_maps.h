@@ -29,18 +29,17 @@ public:
     // Radiance [W/(m^2 sr)] at each visible point, from the photons of `kinds` in the global map, or from the caustic
     // map. `radii`: of the estimates [m].
     void estimateGlobal(const gpu::Array<shared::VisiblePoint>& x, std::uint32_t kinds,
-                        const gpu::Array<glm::vec3>& gathered, const gpu::Array<float>& radii) const;
+                        const gpu::Array<glm::vec3>& gathered, const gpu::Array<float>& radii);
     void estimateCaustics(const gpu::Array<shared::VisiblePoint>& x, const gpu::Array<glm::vec3>& gathered,
-                          const gpu::Array<float>& radii) const;
+                          const gpu::Array<float>& radii);
     // Adds the radiance that records of irradiance give the visible points, times `scale`.
-    void addIrradiance(const gpu::Array<shared::VisiblePoint>& y, const gpu::Array<glm::vec3>& gathered,
-                       float scale) const;
+    void addIrradiance(const gpu::Array<shared::VisiblePoint>& y, const gpu::Array<glm::vec3>& gathered, float scale);
     // Which lights are seen from the visible points; only where settings ask for shadow photons.
     void classify(const gpu::Array<shared::VisiblePoint>& x, const gpu::Array<shared::uint>& lit,
-                  const gpu::Array<shared::uint>& shadowed) const;
+                  const gpu::Array<shared::uint>& shadowed);
 
     // Counts the photons that the camera sees, per pixel and kind.
-    void splat(const gpu::Array<shared::uint>& counts) const;
+    void splat(const gpu::Array<shared::uint>& counts);
 
     [[nodiscard]] bool hasTargets() const { return deviceScene_.targetCount > 0; }
     [[nodiscard]] const std::vector<LightBalance>& balance() const { return balance_; }
@@ -51,8 +50,8 @@ private:
     [[nodiscard]] std::vector<shared::Photon> traceCaustics();
     [[nodiscard]] std::vector<shared::Photon> castShadows();
     [[nodiscard]] std::uint32_t sortInto(SearchableMap& map, const gpu::Array<shared::Photon>& photons,
-                                         std::uint32_t base, float radius) const;
-    [[nodiscard]] gpu::Array<shared::Photon> computeIrradiance(const gpu::Array<shared::Photon>& photons) const;
+                                         std::uint32_t base, float radius);
+    [[nodiscard]] gpu::Array<shared::Photon> computeIrradiance(const gpu::Array<shared::Photon>& photons);
     [[nodiscard]] std::uint32_t classifiedNearest() const;
 
     Device& device_;

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "render/photons/light_balance.h"
-#include "render/upload/device_scene.h"
-#include "render/wavefront/path_queue.h"
+#include "render/photons/photon_flight.h"
 
 namespace hyalite::render {
 
@@ -26,18 +25,19 @@ public:
     // where surface = kNone.
     std::uint32_t trace(const PhotonPass& pass);
 
-    [[nodiscard]] const gpu::Array<shared::Photon>& photons() const { return photons_; }
-    [[nodiscard]] std::uint64_t raysTraced() const { return raysTraced_; }
+    [[nodiscard]] const gpu::Array<shared::Photon>& photons() const { return flight_.photons(); }
+    [[nodiscard]] std::uint64_t raysTraced() const { return flight_.raysTraced(); }
 
     // Per light, of the last pass that kept account.
     [[nodiscard]] const std::vector<LightBalance>& balance() const { return balance_; }
 
 private:
-    // Of the photons from `first` on. The result: the slots that they fill, from `firstSlot` on.
+    // Of `count` photons from `first` on. The result: the slots that they fill, from `firstSlot` on.
     std::uint32_t tracePiece(const PhotonPass& pass, std::uint32_t first, std::uint32_t count, std::uint32_t firstSlot);
-    void emit(const PhotonPass& pass, std::uint32_t first);
+    void emit(const PhotonPass& pass, std::uint32_t first, std::uint32_t count);
+    void scatter(const PhotonPass& pass, const PhotonFlight::Bounce& bounce);
     void openAccount(const PhotonPass& pass);
-    void enterEmitted(std::uint32_t first);
+    void enterEmitted(std::uint32_t first, std::uint32_t count);
     void closeAccount();
 
     Device& device_;
@@ -45,15 +45,11 @@ private:
     const DeviceScene& deviceScene_;
     gpu::Kernel emitPhotons_;
     gpu::Kernel emitCausticPhotons_;
-    gpu::Kernel traceClosest_;
     gpu::Kernel scatterPhoton_;
-    PhotonCompaction compaction_;
-    PhotonQueue queue_;
-    gpu::Array<shared::Photon> photons_;
+    PhotonFlight flight_;
     gpu::Array<shared::PhotonFate> fates_;
     std::vector<std::uint32_t> lightOf_; // per photon, while an account is open
     std::vector<LightBalance> balance_;
-    std::uint64_t raysTraced_ = 0;
 };
 
 } // namespace hyalite::render

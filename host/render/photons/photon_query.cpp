@@ -58,11 +58,17 @@ NearestPhotons::NearestPhotons(const Device& device, PhotonStructure structure, 
       nearestPhotons_(device.kernel("nearest_photons", specialized(structure, capacity_))) {}
 
 void NearestPhotons::run(Device& device, const shared::PhotonMapRecord& map, shared::VisiblePointArray points,
-                         std::uint32_t count, const PhotonSearch& search, shared::UintArray found) const {
+                         std::uint32_t count, const PhotonSearch& search, shared::UintArray found) {
     checkNearest(search.nearest, 1, capacity_);
     device.commands.run(nearestPhotons_,
-                        shared::NearestPhotonsArguments{points, map, found, search.radius, search.nearest, search.kinds,
-                                                        count, search.maxDepth},
+                        shared::NearestPhotonsArguments{.visiblePoints = points,
+                                                        .map = map,
+                                                        .found = found,
+                                                        .radius = search.radius,
+                                                        .nearest = search.nearest,
+                                                        .kinds = search.kinds,
+                                                        .count = count,
+                                                        .maxDepth = search.maxDepth},
                         count);
 }
 
@@ -74,13 +80,23 @@ RadianceEstimate::RadianceEstimate(const Device& device, const DeviceScene& devi
 
 void RadianceEstimate::run(Device& device, const shared::PhotonMapRecord& map, shared::VisiblePointArray points,
                            std::uint32_t count, const PhotonSearch& search, const PhotonDensity& density,
-                           shared::ColorArray gathered, shared::FloatArray radii) const {
+                           shared::ColorArray gathered, shared::FloatArray radii) {
     checkNearest(search.nearest, 2, capacity_);
     device.commands.run(estimateRadiance_,
-                        shared::EstimateRadianceArguments{points, deviceScene_.materials, map, gathered, radii,
-                                                          search.radius, density.coneConstant, density.maxChange,
-                                                          search.nearest, search.kinds, filterNumber(density.filter),
-                                                          count, search.maxDepth, search.width},
+                        shared::EstimateRadianceArguments{.visiblePoints = points,
+                                                          .materials = deviceScene_.materials,
+                                                          .map = map,
+                                                          .gathered = gathered,
+                                                          .radii = radii,
+                                                          .radius = search.radius,
+                                                          .filterConstant = density.coneConstant,
+                                                          .maxChange = density.maxChange,
+                                                          .nearest = search.nearest,
+                                                          .kinds = search.kinds,
+                                                          .filterKind = filterNumber(density.filter),
+                                                          .count = count,
+                                                          .maxDepth = search.maxDepth,
+                                                          .width = search.width},
                         count);
 }
 

@@ -40,7 +40,7 @@ public:
     // Records the search of `map` at `count` points. `found`: search.nearest slots for each, the nearest first, then
     // kNone. search.nearest must not be more than at construction.
     void run(Device& device, const shared::PhotonMapRecord& map, shared::VisiblePointArray points, std::uint32_t count,
-             const PhotonSearch& search, shared::UintArray found) const;
+             const PhotonSearch& search, shared::UintArray found);
 
 private:
     std::uint32_t capacity_;
@@ -58,7 +58,7 @@ public:
     // Records the estimate at `count` points: radiance [W/(m^2 sr)] and the radius of the disc that it comes from [m].
     void run(Device& device, const shared::PhotonMapRecord& map, shared::VisiblePointArray points, std::uint32_t count,
              const PhotonSearch& search, const PhotonDensity& density, shared::ColorArray gathered,
-             shared::FloatArray radii) const;
+             shared::FloatArray radii);
 
 private:
     const DeviceScene& deviceScene_;

@@ -1,7 +1,6 @@
 #include "render/photons/photon_slots.h"
 
 #include <algorithm>
-#include <iterator>
 
 namespace hyalite::render {
 
@@ -9,16 +8,16 @@ void reservePhotonSlots(Device& device, gpu::Array<shared::Photon>& photons, std
     if (photons.count() >= slots) {
         return;
     }
+    const std::size_t count = std::max<std::size_t>(slots, 2 * photons.count());
+    gpu::Array<shared::Photon> larger(device.context, count, "photons");
+    device.commands.copy(photons.buffer(), larger.buffer());
     device.commands.finish();
-    gpu::Array<shared::Photon> larger(device.context, std::max<std::size_t>(slots, 2 * photons.count()), "photons");
-    std::ranges::copy(photons.host(), larger.host().begin());
     photons = std::move(larger);
 }
 
 std::vector<shared::Photon> storedPhotons(const gpu::Array<shared::Photon>& photons, std::uint32_t slots) {
-    std::vector<shared::Photon> stored;
-    std::ranges::copy_if(photons.host().first(slots), std::back_inserter(stored),
-                         [](const shared::Photon& photon) { return photon.surface != shared::kNone; });
+    std::vector<shared::Photon> stored = photons.read(0, slots);
+    std::erase_if(stored, [](const shared::Photon& photon) { return photon.surface == shared::kNone; });
     return stored;
 }
 

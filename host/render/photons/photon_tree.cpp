@@ -72,24 +72,36 @@ void PhotonTree::build(Device& device, const gpu::Array<shared::Photon>& photons
     // And move the photons to their nodes
     const shared::PhotonArray tree{table.buffer().address() + base * sizeof(shared::Photon)};
     device.commands.run(placePhotons_,
-                        shared::PlacePhotonsArguments{photons, nodes_, slots_, tree, order_, photonCount_},
+                        shared::PlacePhotonsArguments{.photons = photons,
+                                                      .nodes = nodes_,
+                                                      .slots = slots_,
+                                                      .sorted = tree,
+                                                      .order = order_,
+                                                      .count = photonCount_},
                         photonCount_);
 }
 
 void PhotonTree::listPhotons(Device& device, const gpu::Array<shared::Photon>& photons, std::uint32_t slots) {
-    device.commands.finish();
     if (marks_.count() < slots) {
-        const std::size_t room = slots + slots / 4; // passes differ a little
+        device.commands.finish();                                // what was recorded may use those that are replaced
+        const std::size_t room = std::size_t{slots} + slots / 4; // passes differ a little
         marks_ = {device.context, room, "photon marks"};
         numbers_ = {device.context, room + 1, "photon numbers"};
     }
-    device.commands.run(markPhotons_, shared::MarkPhotonsArguments{photons, marks_, slots}, slots);
+    device.commands.run(markPhotons_, shared::MarkPhotonsArguments{.photons = photons, .marks = marks_, .count = slots},
+                        slots);
     prefixSum_.run(device, marks_, numbers_, slots);
     device.commands.finish();
-    photonCount_ = numbers_.host()[slots];
+    photonCount_ = numbers_.read(slots);
     reserve(device);
     device.commands.run(keyPhotons_,
-                        shared::KeyPhotonsArguments{photons, numbers_, slots_, keys_, even_, slots, photonCount_},
+                        shared::KeyPhotonsArguments{.photons = photons,
+                                                    .numbers = numbers_,
+                                                    .slots = slots_,
+                                                    .keys = keys_,
+                                                    .pairs = even_,
+                                                    .count = slots,
+                                                    .stored = photonCount_},
                         photonCount_ == 0 ? 0 : slots);
 }
 
@@ -101,11 +113,22 @@ void PhotonTree::sortAlongAxes(Device& device) {
     // The lowest digit first; each round keeps the order of equal digits, so that equal keys stay in slot order
     for (uint shift = 0; shift < 32; shift += kDigitBits) {
         const bool last = shift + kDigitBits == 32; // its pairs come from the odd array: the even one is free
-        device.commands.run(countDigits_, shared::CountDigitsArguments{from, counts_, threads, n, shift}, threads);
+        device.commands.run(countDigits_,
+                            shared::CountDigitsArguments{
+                                .pairs = from, .counts = counts_, .count = threads, .stored = n, .shift = shift},
+                            threads);
         prefixSum_.run(device, counts_, sums_, threads * kRadix);
-        device.commands.run(
-            sortDigits_, shared::SortDigitsArguments{from, sums_, to, keys_, even_, threads, n, shift, last ? 1U : 0U},
-            threads);
+        device.commands.run(sortDigits_,
+                            shared::SortDigitsArguments{.pairs = from,
+                                                        .places = sums_,
+                                                        .sorted = to,
+                                                        .keys = keys_,
+                                                        .lists = even_,
+                                                        .count = threads,
+                                                        .stored = n,
+                                                        .shift = shift,
+                                                        .last = last ? 1U : 0U},
+                            threads);
         std::swap(from, to);
     }
 }
@@ -121,17 +144,39 @@ void PhotonTree::splitLevels(Device& device) {
         const uint threads = sideThreads(n, level);
         const uint chunks = threads / (3 * nodes);
         // The keys are in the lists by now: what splits each node takes their place
-        commands.run(splitNodes_, shared::SplitNodesArguments{lists, keys_, nodes_, nodes, level, n}, nodes);
-        commands.run(countSides_, shared::CountSidesArguments{lists, keys_, nodes_, counts_, threads, level, chunks, n},
+        commands.run(splitNodes_,
+                     shared::SplitNodesArguments{
+                         .lists = lists, .splits = keys_, .nodes = nodes_, .count = nodes, .level = level, .stored = n},
+                     nodes);
+        commands.run(countSides_,
+                     shared::CountSidesArguments{.lists = lists,
+                                                 .splits = keys_,
+                                                 .nodes = nodes_,
+                                                 .counts = counts_,
+                                                 .count = threads,
+                                                 .level = level,
+                                                 .chunks = chunks,
+                                                 .stored = n},
                      threads);
         prefixSum_.run(device, counts_, sums_, threads);
         commands.run(partSides_,
-                     shared::PartSidesArguments{lists, keys_, nodes_, sums_, parted, threads, level, chunks, n},
+                     shared::PartSidesArguments{.lists = lists,
+                                                .splits = keys_,
+                                                .nodes = nodes_,
+                                                .sums = sums_,
+                                                .parted = parted,
+                                                .count = threads,
+                                                .level = level,
+                                                .chunks = chunks,
+                                                .stored = n},
                      threads);
         std::swap(lists, parted);
     }
-    commands.run(finishSubtrees_, shared::FinishSubtreesArguments{lists, parted, nodes_, 1U << levels, levels, n},
-                 1U << levels);
+    commands.run(
+        finishSubtrees_,
+        shared::FinishSubtreesArguments{
+            .lists = lists, .others = parted, .nodes = nodes_, .count = 1U << levels, .level = levels, .stored = n},
+        1U << levels);
 }
 
 void PhotonTree::reserve(Device& device) {

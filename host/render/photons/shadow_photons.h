@@ -2,8 +2,7 @@
 // [JensenChristensen95].
 #pragma once
 
-#include "render/upload/device_scene.h"
-#include "render/wavefront/path_queue.h"
+#include "render/photons/photon_flight.h"
 
 namespace hyalite::render {
 
@@ -16,23 +15,21 @@ public:
     // shadow photons. They stand in the first `slots` (the result) of photons(), with gaps where surface = kNone.
     std::uint32_t cast(std::uint32_t count);
 
-    [[nodiscard]] const gpu::Array<shared::Photon>& photons() const { return photons_; }
-    [[nodiscard]] std::uint64_t raysTraced() const { return raysTraced_; }
+    [[nodiscard]] const gpu::Array<shared::Photon>& photons() const { return flight_.photons(); }
+    [[nodiscard]] std::uint64_t raysTraced() const { return flight_.raysTraced(); }
 
 private:
-    // Of the photons in the queue, numbered from `first` on; their slots begin at `slots`. The result: where they end.
-    std::uint32_t castPiece(std::uint32_t first, std::uint32_t ofPass, std::uint32_t slots);
+    // Of `count` photons from `first` on, of a pass of so many. The result: the slots that they fill, from `firstSlot`.
+    std::uint32_t castPiece(std::uint32_t first, std::uint32_t count, std::uint32_t ofPass, std::uint32_t firstSlot);
+    void emit(std::uint32_t first, std::uint32_t count, std::uint32_t ofPass);
+    void pass(const PhotonFlight::Bounce& bounce);
 
     Device& device_;
     const Scene& scene_;
     const DeviceScene& deviceScene_;
     gpu::Kernel emitPhotons_;
-    gpu::Kernel traceClosest_;
     gpu::Kernel castShadowPhotons_;
-    PhotonCompaction compaction_;
-    PhotonQueue queue_;
-    gpu::Array<shared::Photon> photons_;
-    std::uint64_t raysTraced_ = 0;
+    PhotonFlight flight_;
 };
 
 } // namespace hyalite::render

@@ -7,15 +7,15 @@ namespace hyalite::render {
 
 class NextRays {
 public:
-    explicit NextRays(const Device& device);
+    explicit NextRays(Device& device);
 
-    // How many rays the first `paths` leave: the sum of `alive`. Finishes the commands recorded so far.
-    [[nodiscard]] std::uint32_t count(Device& device, const gpu::Array<shared::uint>& alive, std::uint32_t paths);
+    // Records the count of the rays that the queue's paths leave, the sum of `alive`: it becomes sizes.next().
+    void count(Device& device, const gpu::Array<shared::uint>& alive, const QueueSizes& sizes);
 
-    // After count, for the same paths: records that their slots are written to `slots`, in order. A path has
-    // `slotsOfPath`, and uses the first of them.
-    void list(Device& device, const gpu::Array<shared::uint>& alive, std::uint32_t paths, std::uint32_t slotsOfPath,
-              const gpu::Array<shared::uint>& slots) const;
+    // After count, for the same paths: records that their slots are written to `slots`, in order, as far as it has
+    // room. A path has `slotsOfPath`, and uses the first of them.
+    void list(Device& device, const gpu::Array<shared::uint>& alive, const QueueSizes& sizes, std::uint32_t slotsOfPath,
+              const gpu::Array<shared::uint>& slots);
 
 private:
     gpu::Kernel sumChunks_;

@@ -12,15 +12,14 @@ struct RayQueue {
     gpu::Array<shared::Ray> nextRays;
     gpu::Array<shared::uint> alive;   // 1 where a next ray stands
     gpu::Array<shared::uint> offsets; // exclusive sums of alive
-    std::uint32_t count = 0;          // paths in flight
+    QueueSizes sizes;                 // paths in flight
 
     RayQueue(const gpu::Context& context, std::uint32_t capacity, const std::string& name);
     [[nodiscard]] std::uint32_t capacity() const { return static_cast<std::uint32_t>(rays.count()); }
-};
 
-// Sums up which of the first `paths` next rays are alive, and how many; finishes the commands recorded so far.
-[[nodiscard]] std::uint32_t countAlive(Device& device, PrefixSum& prefixSum, const RayQueue& queue,
-                                       std::uint32_t paths);
+    // A thread for each path in flight.
+    [[nodiscard]] gpu::ThreadCount threads() const { return sizes.threads(); }
+};
 
 struct CameraQueue : RayQueue {
     gpu::Array<shared::CameraPath> paths;
@@ -39,34 +38,21 @@ struct PhotonQueue : RayQueue {
     PhotonQueue(const gpu::Context& context, std::uint32_t capacity);
 };
 
-// The end of a bounce: the living of the next rays and paths become the queue, without gaps and in their order.
-template <class Queue, class Arguments>
+// The end of a bounce: the next rays and paths that are alive become the queue, without gaps and in their order.
 class Compaction {
 public:
-    // `kernel`: the one that takes the arguments.
-    Compaction(const Device& device, const std::string& kernel) : kernel_(device.kernel(kernel)), prefixSum_(device) {}
+    explicit Compaction(Device& device) : compactPaths_(device.kernel("compact_paths")), prefixSum_(device) {}
 
-    // Of the next rays that `paths` may have left; finishes the commands recorded so far.
-    void run(Device& device, Queue& queue, std::uint32_t paths) {
-        const std::uint32_t alive = countAlive(device, prefixSum_, queue, paths);
-        device.commands.run(
-            kernel_,
-            Arguments{queue.alive, queue.offsets, queue.nextRays, queue.nextPaths, queue.rays, queue.paths, paths},
-            alive > 0 ? paths : 0);
-        queue.count = alive;
-    }
+    // `elementCount`: see PrefixSum::OfQueue.
+    void run(Device& device, CameraQueue& queue, shared::UintArray elementCount = {});
+    void run(Device& device, PhotonQueue& queue, shared::UintArray elementCount = {});
 
 private:
-    gpu::Kernel kernel_;
+    void run(Device& device, RayQueue& queue, shared::UintArray nextPaths, shared::UintArray paths,
+             shared::UintArray elementCount);
+
+    gpu::Kernel compactPaths_;
     PrefixSum prefixSum_;
-};
-
-struct CameraCompaction : Compaction<CameraQueue, shared::CompactCameraPathsArguments> {
-    explicit CameraCompaction(const Device& device) : Compaction(device, "compact_camera_paths") {}
-};
-
-struct PhotonCompaction : Compaction<PhotonQueue, shared::CompactPhotonPathsArguments> {
-    explicit PhotonCompaction(const Device& device) : Compaction(device, "compact_photon_paths") {}
 };
 
 } // namespace hyalite::render

@@ -8,17 +8,24 @@ RoughLight::RoughLight(Device& device, const DeviceScene& deviceScene) : device_
     }
 }
 
-std::uint32_t RoughLight::sample(shared::RoughPointArray points, shared::ColorArray direct, std::uint32_t count,
-                                 std::uint32_t light, std::uint32_t pass) const {
+void RoughLight::sample(shared::RoughPointArray points, shared::ColorArray direct, const gpu::ThreadCount& paths,
+                        std::uint32_t light, std::uint32_t pass, shared::UintArray rayCount) {
     if (!sampleRoughLights_) {
-        return 0;
+        return;
     }
     device_.commands.run(*sampleRoughLights_,
-                         shared::SampleRoughLightsArguments{points, deviceScene_.materials, deviceScene_.lights, direct,
-                                                            count, deviceScene_.lightCount, light, pass,
-                                                            deviceScene_.rootNode},
-                         count);
-    return count;
+                         shared::SampleRoughLightsArguments{.roughPoints = points,
+                                                            .materials = deviceScene_.materials,
+                                                            .lights = deviceScene_.lights,
+                                                            .direct = direct,
+                                                            .count = paths.most(),
+                                                            .lightCount = deviceScene_.lightCount,
+                                                            .light = light,
+                                                            .pass = pass,
+                                                            .rootNode = deviceScene_.rootNode,
+                                                            .live = paths.live(),
+                                                            .rayCount = rayCount},
+                         paths);
 }
 
 } // namespace hyalite::render

@@ -3,6 +3,7 @@
 
 #include "render/upload/device_scene.h"
 #include "render/wavefront/device.h"
+#include "render/wavefront/device_counter.h"
 
 #include "shaders/shared/kernel_arguments.h"
 
@@ -18,10 +19,11 @@ public:
     // How many points `count` paths may leave: none in scenes without rough lobes.
     [[nodiscard]] std::uint32_t points(std::uint32_t count) const { return deviceScene_.hasRoughLobes ? count : 0; }
 
-    // Adds to `direct` what reaches the points that shade_surface left of `count` paths: from one light picked in
-    // proportion to power (light = kNone), or from the light named. Returns the number of shadow rays.
-    [[nodiscard]] std::uint32_t sample(shared::RoughPointArray points, shared::ColorArray direct, std::uint32_t count,
-                                       std::uint32_t light, std::uint32_t pass) const;
+    // Records that `direct` gets what reaches the points which the paths have left: from one light picked in
+    // proportion to power (light = kNone), or from the light named. `rayCount`: a DeviceCounter, to which the shadow
+    // rays are added.
+    void sample(shared::RoughPointArray points, shared::ColorArray direct, const gpu::ThreadCount& paths,
+                std::uint32_t light, std::uint32_t pass, shared::UintArray rayCount);
 
 private:
     Device& device_;

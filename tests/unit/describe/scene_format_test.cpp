@@ -47,9 +47,11 @@ TEST_CASE("the schema's default of each setting is what the program takes") {
 TEST_CASE("the schema's depths are those of the integrators") {
     const nlohmann::json schema = nlohmann::json::parse(readFile(kSourceFolder / describe::kSchemaFile));
     const nlohmann::json render = schema.at("$defs").at("render");
-    CHECK(render.at("then").at("properties").at("max_depth").at("maximum") == depthRange(Integrator::Whitted).high);
-    for (const Integrator integrator : {Integrator::Ppm, Integrator::PhotonMap, Integrator::Path}) {
-        CHECK(render.at("else").at("properties").at("max_depth").at("minimum") == depthRange(integrator).low);
+    CHECK(render.at("then").at("properties").at("max_depth").at("maximum") ==
+          depthRange(integratorNamed("whitted")).high);
+    for (const char* integrator : {"ppm", "photonmap", "path"}) {
+        CHECK(render.at("else").at("properties").at("max_depth").at("minimum") ==
+              depthRange(integratorNamed(integrator)).low);
         CHECK(render.at("properties").at("max_depth").at("maximum") == depthRange(integrator).high);
     }
 }

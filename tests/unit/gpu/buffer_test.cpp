@@ -56,6 +56,48 @@ TEST_CASE("an array gives back what was written to it", "[buffer]") {
     CHECK(array.read() == values);
 }
 
+TEST_CASE("parts of an array are read and written, and nothing beyond its end", "[buffer]") {
+    const gpu::Array<std::uint32_t> array = onesArray(8);
+    array.write(Words{1, 2}, 3);
+    CHECK(array.read() == Words{~0U, ~0U, ~0U, 1, 2, ~0U, ~0U, ~0U});
+    CHECK(array.read(4, 2) == Words{2, ~0U});
+    CHECK(array.read(3) == 1);
+    CHECK_THROWS_AS(array.read(7, 2), Error);
+    CHECK_THROWS_AS(array.write(Words{1, 2}, 7), Error);
+}
+
+TEST_CASE("memory that the host does not see is copied: read, written, looked up by its address", "[buffer]") {
+    gpu::ContextOptions options;
+    options.staged = true;
+    const gpu::Context context(options);
+    // More than one part of a copy: 5 000 000 words are 20 MB
+    Words values(5'000'000);
+    std::iota(values.begin(), values.end(), 7U);
+    const gpu::Array<std::uint32_t> array(context, std::span<const std::uint32_t>(values), "values");
+    CHECK(array.buffer().mapped().empty());
+    CHECK_THROWS_WITH(array.host(), ContainsSubstring("'values'"));
+    CHECK(array.read() == values);
+    array.write(Words{1, 2, 3}, 4'999'997);
+    CHECK(array.read(4'999'996, 4) == Words{5'000'003, 1, 2, 3});
+
+    const auto memory = context.memoryAt(array.buffer().address() + 4 * 4'999'998ULL);
+    Words seen(2);
+    REQUIRE(memory.size() == 8);
+    std::memcpy(seen.data(), memory.data(), 8);
+    CHECK(seen == Words{2, 3});
+
+    const gpu::Array<std::uint32_t> onHost(context, 4, "four", gpu::Memory::Host);
+    onHost.host()[3] = 5;
+    CHECK(onHost.read(3) == 5);
+
+    // … and in step with commands
+    const gpu::TexelTables tables(context, 1);
+    gpu::Commands commands(context, tables);
+    commands.clear(array.buffer(), 8);
+    commands.finish();
+    CHECK(array.read(0, 3) == Words{0, 0, 9});
+}
+
 TEST_CASE("an empty array has an address and no elements", "[buffer]") {
     const gpu::Array<std::uint32_t> array(Gpu::shared().context(), 0, "nothing");
     CHECK(array.buffer().address() != 0);

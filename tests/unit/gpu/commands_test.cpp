@@ -1,4 +1,5 @@
 // Runs of kernels: every thread once, in order, the same bits again, and timed by name.
+#include "base/error.h"
 #include "support/gpu_fixture.h"
 #include "unit/gpu/temporary_shaders.h"
 
@@ -31,7 +32,7 @@ Kernel valuesKernel(const std::string& name, const std::string& body, const std:
 
 Array<std::uint32_t> zeros(std::uint32_t count) {
     const std::vector<std::uint32_t> values(count, 0);
-    return {Gpu::shared().context(), std::span(values), "values"};
+    return {Gpu::shared().context(), std::span(values), "values", gpu::Memory::Host};
 }
 
 // Counts in each value how often its thread ran.
@@ -95,6 +96,114 @@ TEST_CASE("an observer finds the buffers that a kernel is given, before and afte
         CHECK(Gpu::shared().context().memoryAt(address + 4).size() == 99 * sizeof(std::uint32_t));
     }
     CHECK(Gpu::shared().context().memoryAt(address).empty()); // the buffer is gone
+}
+
+namespace {
+
+struct LiveArguments {
+    std::uint64_t values;
+    std::uint64_t live;
+    std::uint32_t count;
+};
+
+// Counts in each value how often its thread ran, of as many threads as `live` counts.
+Kernel liveKernel() {
+    const TemporaryShaders folder;
+    folder.write("kernels/count_live.comp", R"(#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/queue.glsl"
+struct CountLiveArguments {
+    UintArray values;
+    QueueSizeArray live;
+    uint count;
+};
+layout(push_constant, scalar) uniform Push { CountLiveArguments args; };
+void main() {
+    uint i = threadIndex();
+    if (i < liveCount(args.live, args.count)) {
+        atomicAdd(args.values.at[i], 1u);
+    }
+}
+)");
+    return {Gpu::shared().context(), Gpu::shared().tables(), gpu::ShaderCompiler(folder.shaders()), "count_live"};
+}
+
+} // namespace
+
+TEST_CASE("as many threads run as stand on the device when the dispatch begins", "[commands]") {
+    const Kernel kernel = liveKernel();
+    const Gpu& device = Gpu::shared();
+    // None, a part of a group, all there may be; two rows of groups; more than a GPU is given at once
+    for (const auto& [count, most] :
+         {std::pair{0U, 100U}, {65U, 100U}, {100U, 100U}, {2'100'000U, 3'000'000U}, {8'500'000U, 9'000'000U}}) {
+        CAPTURE(count, most);
+        const Array<std::uint32_t> values = zeros(most);
+        const Array<shared::QueueSize> sizes(device.context(), 3, "sizes");
+        sizes.fill({});
+        Commands commands(device.context(), device.tables(), true);
+        const std::vector<shared::QueueSize> set{{}, shared::queueSize(count, 0)};
+        commands.set(sizes, std::span<const shared::QueueSize>(set)); // recorded, like what a kernel writes
+        const gpu::ThreadCount threads(sizes, 1, most);
+        commands.run(kernel, LiveArguments{values.buffer().address(), threads.live().address, most}, threads);
+        commands.finish();
+        const std::vector<std::uint32_t> ran = values.read();
+        CHECK(std::count(ran.begin(), ran.end(), 1U) == count);
+        CHECK((count == 0 || ran[count - 1] == 1));
+        // Empty dispatches are none
+        CHECK(commands.times().contains("count_live") == (count > 0 || most <= 8'388'608));
+        if (count > 0) {
+            CHECK(commands.times().at("count_live").threads == count);
+            CHECK(commands.times().at("count_live").dispatches == 1);
+        }
+    }
+}
+
+TEST_CASE("an observer sees the number of threads that the device has, and no empty dispatch", "[commands]") {
+    struct Observer : gpu::DispatchObserver {
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> seen; // threads, the argument `count`
+        void before(const gpu::Dispatch& dispatch) override {
+            LiveArguments arguments{};
+            std::memcpy(&arguments, dispatch.arguments.data(), sizeof(arguments));
+            seen.emplace_back(dispatch.threads, arguments.count);
+        }
+        void after(const gpu::Dispatch& /*dispatch*/) override {}
+    };
+    const Kernel kernel = liveKernel();
+    const Gpu& device = Gpu::shared();
+    const Array<std::uint32_t> values = zeros(1000);
+    const std::vector<shared::QueueSize> set{shared::queueSize(0, 0), shared::queueSize(300, 0)};
+    const Array<shared::QueueSize> sizes(device.context(), std::span<const shared::QueueSize>(set), "sizes");
+    Observer observer;
+    Commands commands(device.context(), device.tables());
+    const gpu::Observation observation = commands.observe(observer);
+    for (const std::size_t index : {0U, 1U}) {
+        const gpu::ThreadCount threads(sizes, index, 1000);
+        commands.run(kernel, LiveArguments{values.buffer().address(), threads.live().address, 1000}, threads);
+    }
+    // By a number of threads, with a size on the device all the same
+    const gpu::ThreadCount threads(sizes, 1, 1000);
+    commands.run(kernel, LiveArguments{values.buffer().address(), threads.live().address, 1000}, 64);
+    CHECK(observer.seen == std::vector<std::pair<std::uint32_t, std::uint32_t>>{{300, 300}, {64, 300}});
+    CHECK(std::ranges::count(values.read(), 0U) == 700);
+}
+
+TEST_CASE("values that are set, and copies, stand between the kernels before and after", "[commands]") {
+    const Kernel kernel = valuesKernel("count_set", kCount);
+    const Array<std::uint32_t> values = zeros(100);
+    const Array<std::uint32_t> kept(Gpu::shared().context(), 100, "kept");
+    const ValuesArguments arguments{values.buffer().address(), 100};
+    Commands commands(Gpu::shared().context(), Gpu::shared().tables());
+    commands.run(kernel, arguments, 100);
+    commands.copy(values.buffer(), kept.buffer());
+    commands.set(values, std::span<const std::uint32_t>(std::vector<std::uint32_t>(40, 7)));
+    commands.run(kernel, arguments, 100);
+    commands.finish();
+    CHECK(kept.read() == std::vector<std::uint32_t>(100, 1));
+    const std::vector<std::uint32_t> after = values.read();
+    CHECK(std::count(after.begin(), after.begin() + 40, 8U) == 40);
+    CHECK(std::count(after.begin() + 40, after.end(), 2U) == 60);
+    const std::vector<std::uint32_t> tooMany(101);
+    CHECK_THROWS_AS(commands.set(values, std::span<const std::uint32_t>(tooMany)), Error);
 }
 
 TEST_CASE("an observer leaves with its scope, whatever ends that, and may outlive the commands", "[commands]") {

@@ -49,30 +49,30 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(RenderSeed, sequence);
     HOST_LAYOUT(GenerateCameraRaysArguments, rays, paths, seed.sequence, camera.position, camera.forward, camera.right,
                 camera.up, camera.width, camera.height, camera.lensRadius, camera.focusDistance, count, pass);
-    HOST_LAYOUT(TraceClosestArguments, rays, hits, count, rootNode, width);
+    HOST_LAYOUT(TraceClosestArguments, rays, hits, count, rootNode, width, live);
     HOST_LAYOUT(ShadeSurfaceArguments, rays, hits, paths, materials, lights, normals, instances, visiblePoints, emitted,
-                nextRays, nextPaths, alive, count, depth, maxDepth, pass, roughPoints, width);
+                nextRays, nextPaths, alive, count, depth, maxDepth, pass, roughPoints, width, live);
     HOST_LAYOUT(TraceWhittedArguments, slots, rays, paths, materials, lights, normals, instances, light, pixels,
                 roughPoints, nextRays, nextPaths, alive, seed.sequence, camera.position, camera.forward, camera.right,
-                camera.up, camera.width, camera.height, camera.lensRadius, camera.focusDistance, count, fromCamera,
-                depth, maxDepth, pass, minWeight, lightCount, rootNode, keeps, keptRays, keptPaths, hits, emitted,
-                visiblePoints);
+                camera.up, camera.width, camera.height, camera.lensRadius, camera.focusDistance, count, depth, maxDepth,
+                pass, minWeight, lightCount, rootNode, keptRays, keptPaths, hits, emitted, visiblePoints, live,
+                rayCount);
     HOST_LAYOUT(SampleRoughLightsArguments, roughPoints, materials, lights, direct, count, lightCount, light, pass,
-                rootNode);
+                rootNode, live, rayCount);
     HOST_LAYOUT(SampleLightsArguments, visiblePoints, materials, lights, shadowRays, contributions, count, lightCount,
-                light, pass, maxDepth, bounceDepth, width);
+                light, pass, maxDepth, bounceDepth, width, live, paths);
     HOST_LAYOUT(BouncePathsArguments, paths, visiblePoints, materials, nextRays, nextPaths, alive, count, depth,
-                maxDepth, pass);
-    HOST_LAYOUT(TraceShadowArguments, shadowRays, contributions, direct, count, rootNode, width);
+                maxDepth, pass, live);
+    HOST_LAYOUT(TraceShadowArguments, shadowRays, contributions, direct, count, rootNode, width, live, rayCount, paths);
     HOST_LAYOUT(EmitPhotonsArguments, lights, rays, paths, first, count, ofPass, lightCount, sequence);
     HOST_LAYOUT(ScatterPhotonArguments, rays, hits, paths, materials, normals, instances, photons, fates, nextRays,
-                nextPaths, alive, count, firstPhoton, depth, maxDepth, sequence, kinds, account);
-    HOST_LAYOUT(CompactCameraPathsArguments, alive, offsets, nextRays, nextPaths, rays, paths, count);
-    HOST_LAYOUT(CompactPhotonPathsArguments, alive, offsets, nextRays, nextPaths, rays, paths, count);
-    HOST_LAYOUT(ScanGroupArguments, values, sums, count);
-    HOST_LAYOUT(SumChunksArguments, values, sums, count);
-    HOST_LAYOUT(ScanChunksArguments, values, chunkOffsets, sums, count);
-    HOST_LAYOUT(ListNextRaysArguments, alive, chunkOffsets, slots, count, slotsOfPath);
+                nextPaths, alive, count, firstPhoton, depth, maxDepth, sequence, kinds, account, room, live);
+    HOST_LAYOUT(QueueSize, count, groupsX, groupsY, groupsZ, before);
+    HOST_LAYOUT(CompactPathsArguments, alive, offsets, nextRays, nextPaths, rays, paths, count, live);
+    HOST_LAYOUT(ScanGroupArguments, values, sums, count, live, queue, next, elementCount);
+    HOST_LAYOUT(SumChunksArguments, values, sums, count, live);
+    HOST_LAYOUT(ScanChunksArguments, values, chunkOffsets, sums, count, live);
+    HOST_LAYOUT(ListNextRaysArguments, alive, chunkOffsets, slots, count, slotsOfPath, room, live);
     HOST_LAYOUT(CountCellsArguments, photons, cellCounts, ranks, grid.inverseCellSize, grid.bucketMask, count);
     HOST_LAYOUT(FillCellsArguments, photons, cellStarts, ranks, order, grid.inverseCellSize, grid.bucketMask, count);
     HOST_LAYOUT(OrderCellsArguments, cellStarts, order, count);
@@ -94,7 +94,7 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(EstimateRadianceArguments, visiblePoints, materials, map.order, map.cellStarts,
                 map.grid.inverseCellSize, map.grid.bucketMask, map.base, map.count, gathered, radii, radius,
                 filterConstant, maxChange, nearest, kinds, filterKind, count, maxDepth, width);
-    HOST_LAYOUT(SumPathsArguments, pixels, light, radiance, count);
+    HOST_LAYOUT(SumPathsArguments, pixels, light, radiance, count, live);
     HOST_LAYOUT(FilmSum, low, middle, high);
     HOST_LAYOUT(FilmColor, red.low, red.middle, red.high, green.low, green.middle, green.high, blue.low, blue.middle,
                 blue.high);
@@ -107,7 +107,7 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(EmitCausticPhotonsArguments, lights, targets, rays, paths, first, count, ofPass, lightCount,
                 targetCount, sequence);
     HOST_LAYOUT(CastShadowPhotonsArguments, rays, hits, paths, materials, normals, instances, photons, nextRays,
-                nextPaths, alive, count, firstPhoton);
+                nextPaths, alive, count, firstPhoton, room, live);
     HOST_LAYOUT(StartGatherRaysArguments, visiblePoints, materials, rays, paths, alive, count, pass);
     HOST_LAYOUT(BeginIrradianceArguments, photons, visiblePoints, count);
     HOST_LAYOUT(StoreIrradianceArguments, photons, irradiance, records, count);
@@ -116,7 +116,7 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(ClassifyVisibilityArguments, visiblePoints, lit, shadowed, map.order, map.cellStarts,
                 map.grid.inverseCellSize, map.grid.bucketMask, map.base, map.count, lightCount, nearest, agreeing,
                 radius, count);
-    HOST_LAYOUT(SkipShadowRaysArguments, lit, shadowed, shadowRays, contributions, direct, counts, light, count);
+    HOST_LAYOUT(SkipShadowRaysArguments, lit, shadowed, shadowRays, contributions, direct, raysSaved, light, count);
     HOST_LAYOUT(SplatPhotonsArguments, photons, counts, camera.position, camera.forward, camera.right, camera.up,
                 camera.width, camera.height, camera.lensRadius, camera.focusDistance, count, rootNode);
     HOST_LAYOUT(SelfTestRecord, first, second, third, fourth);

@@ -51,7 +51,8 @@ TEST_CASE("the quotient by way of floats is that of integers") {
     const gpu::Kernel kernel(gpu.context(), gpu.tables(), gpu::ShaderCompiler(folder.shaders()), "divide");
     const Divisions asked = divisions();
     const auto count = static_cast<std::uint32_t>(asked.dividends.size());
-    const gpu::Array<std::uint32_t> dividends(gpu.context(), std::span(asked.dividends), "dividends");
+    const gpu::Array<std::uint32_t> dividends(gpu.context(), std::span(asked.dividends), "dividends",
+                                              gpu::Memory::Host);
     const gpu::Array<std::uint32_t> divisors(gpu.context(), std::span(asked.divisors), "divisors");
     gpu::Commands commands(gpu.context(), gpu.tables());
     commands.run(kernel, QuotientArguments{dividends.buffer().address(), divisors.buffer().address(), count}, count);

@@ -33,7 +33,7 @@ TEST_CASE("work that takes longer than the watchdog allows is an error that name
     const gpu::Kernel kernel(device.context(), device.tables(), gpu::ShaderCompiler(folder.shaders()), "spin");
     // A chain of 2^25 multiplications, of three cycles each or more, takes 0.02 s at 5 GHz
     const std::vector<std::uint32_t> values{1U << 25U, 0};
-    const gpu::Array<std::uint32_t> array(device.context(), std::span(values), "values");
+    const gpu::Array<std::uint32_t> array(device.context(), std::span(values), "values", gpu::Memory::Host);
     struct Arguments {
         std::uint64_t values;
         std::uint32_t count;

@@ -31,7 +31,7 @@ VisiblePoint origin() {
             .geometricNormal = {0, 1, 0},
             .wo = {0, 1, 0},
             .beta = std::numbers::pi * dvec3(0.1, 0.2, 0.3),
-            .material = Diffuse{dvec3(1)},
+            .material = hyalite::Diffuse{dvec3(1)},
             .depth = 1,
             .samplerSeed = 0};
 }

@@ -127,7 +127,7 @@ TEST_CASE("settings that need one another are assigned in any order") {
     for (const auto& order : orders) {
         Scene scene;
         applySettings(scene, order);
-        CHECK(scene.render.integrator == Integrator::Whitted);
+        CHECK(scene.render.integrator == "whitted");
         CHECK(scene.render.maxDepth == 0);
         CHECK(scene.camera.up == glm::dvec3(0, 0, 1));
     }
@@ -181,8 +181,7 @@ TEST_CASE("the depths of each integrator are within the range of the key") {
     const auto table = settingsTable();
     const auto row = std::ranges::find(table, std::string("render.max_depth"), dottedName);
     REQUIRE(row != table.end());
-    for (const Integrator integrator :
-         {Integrator::Whitted, Integrator::Ppm, Integrator::PhotonMap, Integrator::Path}) {
+    for (const IntegratorRow& integrator : kIntegrators) {
         CHECK(row->doc.range.contains(depthRange(integrator).low));
         CHECK(row->doc.range.contains(depthRange(integrator).high));
     }

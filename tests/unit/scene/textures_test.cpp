@@ -266,7 +266,7 @@ TEST_CASE("a material in GLSL is read with its parameters and its roughness") {
         "hyalite: 1\nmaterials: {m: {type: custom, file: film.glsl, parameters: [3, 2], roughness: 0.4}}\n" +
             std::string("lights: [{type: point, position: [0, 3, 0]}]\n"
                         "objects: [{shape: {type: sphere, radius: 1}, material: m}]\n"));
-    const auto model = std::get<CustomReflectance>(loadScene(scene).materials.at(0).model);
+    const MaterialModel model = loadScene(scene).materials.at(0).model;
     CHECK(model.code->function == "film");
     CHECK(model.parameters == glm::dvec4(3, 2, 0, 0));
     CHECK(model.roughness == 0.4);

@@ -24,13 +24,13 @@ void PathTracing::renderPass(std::uint32_t pass) {
     const std::uint32_t maxDepth = scene_.render.maxDepth;
     device_.commands.clear(sampled_.buffer());
     cameraPaths_.generate(pass);
-    const RaysTraced rays = cameraPaths_.follow(pass, visiblePoints_, met_, &sampled_, [&](std::uint32_t depth) {
+    cameraPaths_.follow(pass, visiblePoints_, met_, &sampled_, [&](std::uint32_t depth) {
         const CameraQueue& queue = cameraPaths_.queue();
         // Light that a shadow ray brings to the diffuse surfaces that paths have just come to …
-        lightSampler_.sample(visiblePoints_, shared::kNone, pass, maxDepth, depth);
-        lightSampler_.trace(sampled_);
-        counts_[Counter::ShadowRays] += queue.count;
+        lightSampler_.sample(visiblePoints_, queue, pass, maxDepth, depth);
+        lightSampler_.trace(sampled_, queue);
         // … and the ways on from there
+        const gpu::ThreadCount threads = queue.threads();
         device_.commands.run(bouncePaths_,
                              shared::BouncePathsArguments{.paths = queue.paths,
                                                           .visiblePoints = visiblePoints_,
@@ -38,17 +38,19 @@ void PathTracing::renderPass(std::uint32_t pass) {
                                                           .nextRays = queue.nextRays,
                                                           .nextPaths = queue.nextPaths,
                                                           .alive = queue.alive,
-                                                          .count = queue.count,
+                                                          .count = threads.most(),
                                                           .depth = depth,
                                                           .maxDepth = maxDepth,
-                                                          .pass = pass},
-                             queue.count);
+                                                          .pass = pass,
+                                                          .live = threads.live()},
+                             threads);
     });
-    counts_[Counter::CameraRays] += rays.camera;
-    counts_[Counter::ShadowRays] += rays.shadow;
     film_.add(device_, 0, met_);
     film_.add(device_, 1, sampled_);
     device_.commands.finish();
+    const RaysTraced rays = cameraPaths_.raysTraced();
+    counts_[Counter::CameraRays] = rays.camera;
+    counts_[Counter::ShadowRays] = rays.shadow + lightSampler_.raysTraced();
 }
 
 } // namespace hyalite::render

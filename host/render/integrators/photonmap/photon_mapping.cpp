@@ -62,18 +62,14 @@ PhotonMapping::PhotonMapping(const IntegratorInput& input)
       radii_(device_.context, film_.pixelCount(), "radii of estimates"),
       lit_(device_.context, film_.pixelCount(), "lights seen"),
       shadowed_(device_.context, film_.pixelCount(), "lights hidden"),
-      shadowRayCounts_(device_.context, 2, "counts of shadow rays") {
-    std::ranges::fill(shadowRayCounts_.host(), 0U);
-}
+      raysSaved_(device_.context, "count of shadow rays saved") {}
 
 void PhotonMapping::renderPass(std::uint32_t pass) {
     // Where each pixel's path first meets a diffuse surface, through mirrors and glass, and the emission on the way; at
     // rough metal and glass also the light that comes there straight from a lamp
     device_.commands.clear(direct_.buffer());
     cameraPaths_.generate(pass);
-    const RaysTraced rays = cameraPaths_.follow(pass, visiblePoints_, emitted_, &direct_);
-    counts_[Counter::CameraRays] += rays.camera;
-    counts_[Counter::ShadowRays] += rays.shadow;
+    cameraPaths_.follow(pass, visiblePoints_, emitted_, &direct_);
     switch (scene_.render.photonMap.view) {
     case PhotonView::GlobalMap:
         maps_.estimateGlobal(visiblePoints_, kAllLight, indirect_, radii_);
@@ -86,8 +82,7 @@ void PhotonMapping::renderPass(std::uint32_t pass) {
         break;
     case PhotonView::Radius:
         maps_.estimateGlobal(visiblePoints_, kAllLight, indirect_, radii_);
-        device_.commands.finish();
-        std::ranges::transform(radii_.host(), caustic_.host().begin(), [](float r) { return glm::vec3(r); });
+        showRadii();
         film_.add(device_, 0, caustic_);
         break;
     case PhotonView::Photons:
@@ -99,7 +94,21 @@ void PhotonMapping::renderPass(std::uint32_t pass) {
         break;
     }
     device_.commands.finish();
+    const RaysTraced rays = cameraPaths_.raysTraced();
+    counts_[Counter::CameraRays] = rays.camera;
+    counts_[Counter::GatheringRays] = rays.gathering;
+    counts_[Counter::ShadowRays] = rays.shadow + lightSampler_.raysTraced();
+    counts_[Counter::ShadowRaysSaved] = raysSaved_.read();
     counts_[Counter::PhotonRays] = maps_.raysTraced();
+}
+
+void PhotonMapping::showRadii() {
+    device_.commands.finish();
+    std::vector<glm::vec3> colors;
+    for (const float radius : radii_.read()) {
+        colors.emplace_back(radius);
+    }
+    caustic_.write(colors);
 }
 
 void PhotonMapping::begin() {
@@ -174,20 +183,12 @@ void PhotonMapping::sampleDirectLight(std::uint32_t pass) {
                                                          .shadowRays = lightSampler_.shadowRays(),
                                                          .contributions = lightSampler_.contributions(),
                                                          .direct = direct_,
-                                                         .counts = shadowRayCounts_,
+                                                         .raysSaved = raysSaved_,
                                                          .light = light,
                                                          .count = pixels},
                          pixels);
-        } else {
-            counts_[Counter::ShadowRays] += pixels;
         }
         lightSampler_.trace(direct_);
-    }
-    if (classified) {
-        commands.finish();
-        counts_[Counter::ShadowRaysSaved] += shadowRayCounts_.host()[0];
-        counts_[Counter::ShadowRays] += shadowRayCounts_.host()[1];
-        std::ranges::fill(shadowRayCounts_.host(), 0U);
     }
 }
 
@@ -210,11 +211,9 @@ void PhotonMapping::gatherIndirectLight(std::uint32_t pass) {
                                                       .pass = gather},
                      pixels);
         commands.clear(gatherPoints_.buffer());
-        cameraPaths_.compact(pixels);
+        cameraPaths_.start(pixels);
         // Light straight from lamps, wherever it falls on the way, is caustic or direct light
-        const std::uint64_t rays = cameraPaths_.follow(gather, gatherPoints_, unused_, nullptr).camera;
-        counts_[Counter::CameraRays] += rays;
-        counts_[Counter::GatheringRays] += rays;
+        cameraPaths_.follow(gather, gatherPoints_, unused_, nullptr);
         if (settings.precomputedIrradiance) {
             maps_.addIrradiance(gatherPoints_, indirect_, scale);
         } else {
@@ -228,18 +227,18 @@ void PhotonMapping::gatherIndirectLight(std::uint32_t pass) {
 }
 
 void PhotonMapping::drawPhotons() {
-    gpu::Array<shared::uint> counts(device_.context, std::size_t{4} * film_.pixelCount(), "photons per pixel");
-    std::ranges::fill(counts.host(), 0U);
-    maps_.splat(counts);
+    const gpu::Array<shared::uint> splatted(device_.context, std::size_t{4} * film_.pixelCount(), "photons per pixel");
+    device_.commands.clear(splatted.buffer());
+    maps_.splat(splatted);
     device_.commands.finish();
-    points_ = {device_.context, film_.pixelCount(), "photons as points"};
-    for (std::size_t pixel = 0; pixel < film_.pixelCount(); ++pixel) {
-        glm::vec3 color(0);
+    const std::vector<shared::uint> counts = splatted.read();
+    std::vector<glm::vec3> colors(film_.pixelCount());
+    for (std::size_t pixel = 0; pixel < colors.size(); ++pixel) {
         for (std::size_t kind = 0; kind < kPointColors.size(); ++kind) {
-            color += static_cast<float>(std::min(counts.host()[4 * pixel + kind], 1U)) * kPointColors.at(kind);
+            colors[pixel] += static_cast<float>(std::min(counts[4 * pixel + kind], 1U)) * kPointColors.at(kind);
         }
-        points_.host()[pixel] = color;
     }
+    points_ = {device_.context, std::span<const glm::vec3>(colors), "photons as points"};
 }
 
 } // namespace hyalite::render

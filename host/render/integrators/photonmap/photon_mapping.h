@@ -22,6 +22,7 @@ public:
 
 private:
     void noteMaps();
+    void showRadii();
     void renderLight(std::uint32_t pass);
     void sampleDirectLight(std::uint32_t pass);
     void gatherIndirectLight(std::uint32_t pass);
@@ -52,7 +53,7 @@ private:
     gpu::Array<float> radii_;
     gpu::Array<shared::uint> lit_;
     gpu::Array<shared::uint> shadowed_;
-    gpu::Array<shared::uint> shadowRayCounts_; // spared, traced
+    DeviceCounter raysSaved_; // shadow rays that shadow photons spared
 };
 
 } // namespace hyalite::render

@@ -107,9 +107,7 @@ void Ppm::renderPass(std::uint32_t pass) {
     // rough metal and glass also the light that comes there straight from a lamp
     device_.commands.clear(direct_.buffer());
     cameraPaths_.generate(pass);
-    const RaysTraced rays = cameraPaths_.follow(pass, visiblePoints_, emitted_, &direct_);
-    counts_[Counter::CameraRays] += rays.camera;
-    counts_[Counter::ShadowRays] += rays.shadow;
+    cameraPaths_.follow(pass, visiblePoints_, emitted_, &direct_);
     // Light that comes to the diffuse surface straight from a lamp
     sampleDirectLight(pass);
     film_.add(device_, kEmitted, emitted_);
@@ -121,12 +119,14 @@ void Ppm::renderPass(std::uint32_t pass) {
         film_.add(device_, photons.layer, gathered_);
     }
     device_.commands.finish();
+    const RaysTraced rays = cameraPaths_.raysTraced();
+    counts_[Counter::CameraRays] = rays.camera;
+    counts_[Counter::ShadowRays] = rays.shadow + lightSampler_.raysTraced();
 }
 
 void Ppm::sampleDirectLight(std::uint32_t pass) {
     lightSampler_.sample(visiblePoints_, shared::kNone, pass, scene_.render.maxDepth);
     lightSampler_.trace(direct_);
-    counts_[Counter::ShadowRays] += film_.pixelCount();
 }
 
 void Ppm::gather(const Photons& photons, std::uint32_t pass) {

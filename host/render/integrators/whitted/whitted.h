@@ -3,6 +3,7 @@
 
 #include "render/integrators/integrator.h"
 #include "render/upload/device_scene.h"
+#include "render/wavefront/device_counter.h"
 #include "render/wavefront/next_rays.h"
 #include "render/wavefront/rough_light.h"
 
@@ -43,7 +44,14 @@ private:
     // Makes room for `count` rays of the level at this depth, whose last contents are lost if there was not enough.
     Level& levelFor(std::uint32_t depth, std::uint32_t count);
     void keepFor(std::uint32_t count);
-    void trace(std::uint32_t pass, std::uint32_t depth, std::uint32_t count);
+    // Traces the trees of all pixels and returns how many rays each level has. Levels have the room of the passes
+    // before; only if it `waits` for the device at every level it makes room for what comes.
+    [[nodiscard]] std::vector<std::uint32_t> traceTrees(std::uint32_t pass, bool waits);
+    // Lists the rays of the level below this one.
+    void listNext(std::uint32_t depth, bool waits);
+    // Had each level room for so many rays?
+    [[nodiscard]] bool hadRoom(const std::vector<std::uint32_t>& rays) const;
+    void trace(std::uint32_t pass, std::uint32_t depth);
 
     Device& device_;
     const Scene& scene_;
@@ -53,7 +61,9 @@ private:
     gpu::Kernel traceWhitted_;
     gpu::Kernel sumPaths_;
     NextRays nextRays_;
+    QueueSizes sizes_; // of the levels
     RoughLight roughLight_;
+    DeviceCounter shadowRays_;
     std::array<Level, 2> levels_; // of even and of odd depth: each reads what the one before has left
     Kept kept_;
     gpu::Array<glm::vec3> radiance_; // of the pass, by pixel
