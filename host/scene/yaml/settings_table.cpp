@@ -190,13 +190,12 @@ std::vector<Setting> cameraRows() {
 
 std::vector<Setting> renderRows() {
     return {
-        render<&RenderSettings::integrator>(
-            {.doc = {.name = "integrator",
-                     .text = "`ppm`: progressive photon mapping; `photonmap`: Jensen's two-pass photon mapping; "
-                             "`whitted`: recursive ray tracing; `path`: path tracing, unbiased",
-                     .words = kIntegratorNames},
-             .option = "--integrator",
-             .label = "Integrator"}),
+        render<&RenderSettings::integrator>({.doc = {.name = "integrator",
+                                                     .text = "progressive photon mapping, Jensen's two-pass photon "
+                                                             "mapping, recursive ray tracing or unbiased path tracing",
+                                                     .words = kIntegratorNames},
+                                             .option = "--integrator",
+                                             .label = "Integrator"}),
         render<&RenderSettings::maxDepth>({.doc = {.name = "max_depth",
                                                    .range = {0, shared::kMaxDepth},
                                                    .text = "most segments of a path from light to eye; whitted: most "
@@ -235,11 +234,8 @@ std::vector<Setting> renderRows() {
              .label = "Seed",
              .photons = PhotonsDepend::OnValue}),
         render<&RenderSettings::sampler>(
-            {.doc =
-                 {.name = "sampler",
-                  .text =
-                      "`sobol`: low-discrepancy random numbers; `independent`: pseudorandom numbers, to measure what "
-                      "`sobol` gains"},
+            {.doc = {.name = "sampler",
+                     .text = "low-discrepancy numbers, or pseudorandom numbers to measure what low discrepancy gains"},
              .option = "--sampler",
              .photons = PhotonsDepend::OnValue}),
         render<&RenderSettings::radius>(

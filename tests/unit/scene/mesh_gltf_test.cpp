@@ -329,8 +329,7 @@ TEST_CASE("a part of a glTF file without material or inverse is an error of the 
     REQUIRE(bare);
     CHECK(bare->where().line == 5);
     CHECK(bare->where().column == 32); // of the file's name
-    CHECK_THAT(bare->what(),
-               ContainsSubstring("nodes[0], meshes[0].primitives[0]: this part has no material"));
+    CHECK_THAT(bare->what(), ContainsSubstring("nodes[0], meshes[0].primitives[0]: this part has no material"));
 
     gltf.document["nodes"][0]["scale"] = {1, 0, 1};
     folder.write("one.gltf", gltf.text());
