@@ -1,4 +1,4 @@
-// Compiles every kernel when the program is built, so that a mistake stops the build and no start has to wait for it.
+// Compiles every kernel at build time: a mistake stops the build, and the program starts without compiling.
 // usage: compile_kernels SHADERS FOLDER STAMP
 #include "base/error.h"
 #include "base/parallel.h"

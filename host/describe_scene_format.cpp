@@ -1,5 +1,5 @@
-// Writes what follows from the program into scenes/hyalite.schema.json and docs/scene-format.md of the source folder
-// given; run by the target scene_format.
+// Updates the generated parts of scenes/hyalite.schema.json and docs/scene-format.md in the given source folder. The
+// target scene_format runs it.
 #include "base/error.h"
 #include "base/input_file.h"
 #include "base/output_file.h"

@@ -1,4 +1,4 @@
-// hyalite: parse, dispatch to a command; nothing else.
+// Entry point of hyalite; see cli/application.h.
 #include "cli/application.h"
 
 int main(int argc, char** argv) {

@@ -1,16 +1,17 @@
 #!/usr/bin/env bash
-# Builds two commits side by side and runs `hyalite bench` of both by turns: which is faster, stage by stage.
+# Builds two commits side by side and runs `hyalite bench` of both alternately: shows which is faster, stage by stage.
 set -euo pipefail
 
 usage() {
     cat <<'END'
 usage: scripts/compare-commits.sh BEFORE AFTER [--turns N] [SCENE...] [bench options]
 
-  BEFORE, AFTER   commits; builds are kept in build/commits/ and used again
-  --turns N       each commit measures so many times (5); within a turn bench takes its own median
-  SCENE, options  handed to `hyalite bench`, e.g. mesh-room --stage camera bounce
+  BEFORE, AFTER   commits; their builds are kept in build/commits/ and reused
+  --turns N       number of measurements of each commit (5); within a turn bench takes its own median
+  SCENE, options  passed to `hyalite bench`, e.g. mesh-room --stage camera bounce
 
-Prints for every scene and stage the median over the turns of BEFORE's core time over AFTER's: above 1, AFTER is faster.
+Prints for every scene and stage the ratio of BEFORE's core time to AFTER's, the median over the turns: above 1, AFTER
+is faster.
 END
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Builds the fuzzers and runs each for so many inputs, from the seeds that
-# tests/fuzz/make_seeds.py writes and the scenes' own files.
-# Fails at the first crash, undefined behaviour, leak, input of more than 10 s, or 2.5 GiB of memory, and keeps the input.
+# Builds the fuzzers and runs each with the given number of inputs, starting from the seeds of tests/fuzz/make_seeds.py
+# and the files of scenes/. Fails at the first crash, undefined behaviour, leak, input that takes more than 10 s or
+# 2.5 GiB of memory, and keeps that input.
 set -euo pipefail
 
 runs=${1:-20000}
@@ -18,7 +18,7 @@ python3 tests/fuzz/make_seeds.py build/fuzz/seeds
 found=build/fuzz/found
 mkdir -p "$found"
 for fuzzer in ${2:-scene obj ply stl gltf image checkpoint photons}; do
-    # The first corpus is where libFuzzer keeps what it learns
+    # libFuzzer adds new inputs to the first corpus
     corpus=(build/fuzz/learnt-"$fuzzer" build/fuzz/seeds/"$fuzzer")
     mkdir -p "${corpus[@]}"
     case $fuzzer in
@@ -26,11 +26,11 @@ for fuzzer in ${2:-scene obj ply stl gltf image checkpoint photons}; do
     obj | ply | stl | gltf) corpus+=(scenes/models) ;;
     esac
     log=build/fuzz/"$fuzzer".log
-    # A seed makes the run the same every time
+    # A fixed seed makes the run repeatable
     if ! build/fuzz/tests/fuzz/fuzz_"$fuzzer" -runs="$runs" -seed=1 -max_len=16384 -timeout=10 -rss_limit_mb=2560 \
         -detect_leaks=1 -print_final_stats=1 -artifact_prefix="$found/$fuzzer-" "${corpus[@]}" >"$log" 2>&1; then
         tail -n 60 "$log" >&2
-        echo "fuzz.sh: $fuzzer failed; the input is in $found, all that was said in $log" >&2
+        echo "fuzz.sh: $fuzzer failed; the input is in $found, the full log in $log" >&2
         exit 1
     fi
     printf '%-11s %s inputs, %s MiB at most, %s features covered\n' "$fuzzer" \

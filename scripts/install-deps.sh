@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that hyalite needs and that are missing; does nothing, quickly, when none is.
+# Installs the missing Debian packages that hyalite needs; returns at once if none is missing.
 set -euo pipefail
 
 usage() {
     cat <<'END'
 usage: scripts/install-deps.sh [render|test|fuzz|lint]
 
-  render   what building and running hyalite needs (the default)
-  test     that, and what the tests need
-  fuzz     what `render` names, and what scripts/fuzz.sh needs
-  lint     what `test` names, and what scripts/lint.sh needs
+  render   packages to build and run hyalite (the default)
+  test     those of `render`, and those of the tests
+  fuzz     those of `render`, and those of scripts/fuzz.sh
+  lint     those of `test`, and those of scripts/lint.sh
 
-Debian 12 and 13, as root or with sudo. On Debian 12 Mesa and Catch2 come from the backports suite, whose source
-entry is made from the machine's own Debian entry (docs/setup.md says why).
+Runs on Debian 12 and 13, as root or with sudo. On Debian 12 Mesa and Catch2 come from the backports suite; its source
+entry is made from the machine's own Debian entry (see docs/setup.md for the reasons).
 END
 }
 
@@ -22,19 +22,19 @@ fail() {
 }
 
 # cpp-httplib and CodeMirror: the server and the editor of `hyalite live`.
-# glslang-tools: glslang's CMake package insists on its programs being there.
+# glslang-tools: glslang's CMake package requires its programs.
 render=(cmake ninja-build g++ libvulkan-dev glslang-dev glslang-tools spirv-tools libspirv-cross-c-shared-dev libglm-dev
     libstb-dev libopenexr-dev zlib1g-dev libyaml-cpp-dev libcli11-dev nlohmann-json3-dev libnanoflann-dev
     mesa-vulkan-drivers pkg-config libcpp-httplib-dev libjs-codemirror)
-# clang-format 19: the one version that both Debian 12 and 13 have, so that both judge a line alike.
-# A browser, its driver and a font: what the program's pages are looked at with. libembree-dev: what `hyalite bench`
-# measures rays against.
+# clang-format 19: the only version in both Debian 12 and 13, so that both format alike.
+# A browser, its driver and a font test the program's pages. libembree-dev: the ray tracer that `hyalite bench` compares
+# with.
 test=(catch2 vulkan-validationlayers python3 python3-jsonschema python3-yaml shellcheck clang-format-19 chromium
     chromium-driver python3-selenium fonts-dejavu-core libembree-dev)
 # libclang-rt-dev: the sanitizers and the fuzzer of clang's version, which clang itself only recommends.
 fuzz=(clang libclang-rt-dev python3)
 lint=(clang clang-tidy)
-# Lavapipe before Mesa 25 renders wrong pixels, and the tests are written for Catch2 v3.
+# Minimum versions: lavapipe before Mesa 25 renders wrong pixels; the tests need Catch2 v3.
 declare -A atLeast=([mesa-vulkan-drivers]=25 [catch2]=3)
 
 case ${1:-render} in
@@ -46,7 +46,7 @@ lint) wanted=("${render[@]}" "${test[@]}" "${lint[@]}") ;;
 *) usage >&2 && exit 2 ;;
 esac
 
-# Sets `missing` to those of `wanted` that are not installed, or too old.
+# Sets `missing` to the packages of `wanted` that are not installed or too old.
 missing=()
 findMissing() {
     declare -A installed=()
@@ -73,14 +73,14 @@ update() {
     apt update -o APT::Update::Error-Mode=any >&2 || updated=0
 }
 
-# One line per index that apt reads: where it comes from, which suite it is.
+# Prints one line per index that apt reads: origin, label, suite and address.
 indexes() {
     # shellcheck disable=SC2016  # apt-get expands these names
     apt-get indextargets --format '$(ORIGIN)|$(LABEL)|$(RELEASE)|$(REPO_URI)' 'Identifier: Packages'
 }
 
-# The source entry of the codename's backports suite, made from that of Debian's own archive, which is told from third
-# parties by its signed release file. Sets `entry`, `entryFile` and `madeFrom`; entry is empty when there is none.
+# Makes the source entry of the codename's backports suite from the entry of Debian's own archive, which its signed
+# release file tells from third parties. Sets `entry`, `entryFile` and `madeFrom`; `entry` is empty if there is none.
 makeBackportsEntry() {
     local codename=$1 uri format suffix
     entry=
@@ -98,7 +98,7 @@ makeBackportsEntry() {
         '$1 == "Debian" && $2 == "Debian" && $3 == codename { print $4 }' | sort -u)
 }
 
-# Lets apt read the codename's backports suite, unless it does already.
+# Adds the codename's backports suite to apt's sources, unless it is there already.
 addBackports() {
     local codename=$1 entry entryFile madeFrom
     if indexes | grep -q "|$codename-backports|"; then return; fi
@@ -110,7 +110,7 @@ addBackports() {
     fi
     "${asRoot[@]}" tee "$entryFile" <<<"$entry" >/dev/null
     update
-    # The origin is known once the suite's release file has come.
+    # The origin is known once the suite's release file is downloaded.
     if ! indexes | grep -q "^Debian Backports|.*|$codename-backports|"; then
         "${asRoot[@]}" rm -f "$entryFile"
         fail "the mirror in $madeFrom does not give '$codename-backports' (see above)"

@@ -3,7 +3,7 @@
 set -euo pipefail
 
 if [[ $# -gt 0 ]]; then
-    echo "usage: scripts/lint.sh    builds with clang++ in build/lint and runs clang-tidy; installs both if missing"
+    echo "usage: scripts/lint.sh    builds with clang++ in build/lint and runs clang-tidy; installs both tools if missing"
     [[ $1 == -h || $1 == --help ]] && exit
     exit 2
 fi

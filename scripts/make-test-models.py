@@ -11,13 +11,13 @@ MODELS = pathlib.Path(__file__).resolve().parent.parent / "scenes" / "models"
 
 
 def write_icosahedron(path):
-    """Twelve corners (0, +-1, +-phi) and their rotations, scaled to the unit sphere; flat, so without normals."""
+    """Twelve corners, (0, +-1, +-phi) and its rotations, scaled to the unit sphere; no normals, for flat shading."""
     phi = (1 + math.sqrt(5)) / 2
     corners = []
     for a in (-1, 1):
         for b in (-phi, phi):
             corners += [(0, a, b), (a, b, 0), (b, 0, a)]
-    # Neighbours are 2 apart; every three mutual neighbours make a face, turned counter-clockwise from outside.
+    # Neighbours are 2 apart; three mutual neighbours form a face, ordered counter-clockwise from outside.
     faces = []
     for i in range(12):
         for j in range(i + 1, 12):
@@ -38,14 +38,14 @@ def write_icosahedron(path):
 
 
 def write_uv_sphere(path, rings=12, sectors=24):
-    """Unit sphere of quadrilaterals, triangles at the poles; positions are the normals. Binary, little endian."""
+    """Unit sphere of quadrilaterals, with triangles at the poles; normals equal positions. Binary, little endian."""
     vertices = [(0.0, 1.0, 0.0)]
     for ring in range(1, rings):
         theta = math.pi * ring / rings
         for sector in range(sectors):
             phi = 2 * math.pi * sector / sectors
             point = (math.sin(theta) * math.cos(phi), math.cos(theta), math.sin(theta) * math.sin(phi))
-            # Rounded, so that every machine's libm writes the same file.
+            # Rounded, so that the file does not depend on the machine's libm.
             vertices.append(tuple(round(x, 7) + 0.0 for x in point))
     vertices.append((0.0, -1.0, 0.0))
     last = len(vertices) - 1
@@ -71,7 +71,7 @@ def write_uv_sphere(path, rings=12, sectors=24):
 
 
 def write_graticule(path, width=96, height=48):
-    """A globe's map: a sea that darkens towards the poles, with a bright line every 45 degrees and a red equator."""
+    """A globe map: sea that darkens towards the poles, a bright line every 45 degrees, and a red equator."""
     rows = []
     for y in range(height):
         row = bytearray([0])  # filter: none
@@ -92,8 +92,8 @@ def write_graticule(path, width=96, height=48):
     path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(b"".join(rows), 9))
                      + chunk(b"IEND", b""))
 def write_sky(path, width=32, height=16):
-    """Equirectangular sky of plain steps, brighter at the horizon, a sun of four pixels, dim ground: an EXR file of
-    32-bit floats, without compression."""
+    """Equirectangular sky in uniform steps, brighter at the horizon, with a sun of four pixels and dim ground: an
+    uncompressed EXR file of 32-bit floats."""
     def color(x, y):
         if y >= height // 2:
             return 0.08, 0.06, 0.05

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""How fast renders converge: error against passes and seconds, on logarithmic axes, with the slopes fitted to them.
+"""Measures how fast renders converge: error over passes and seconds, on logarithmic axes, with fitted slopes.
 
-  measure-convergence.py error SCENE -o FOLDER     several ways to render against a converged picture
-  measure-convergence.py samplers SCENE -o FOLDER  Sobol points against independent numbers, and what they gain
-  measure-convergence.py bias SCENE -o FOLDER      the bias of ppm against the rate that theory gives it
+  measure-convergence.py error SCENE -o FOLDER     several ways to render, against a converged picture
+  measure-convergence.py samplers SCENE -o FOLDER  Sobol points against independent numbers, and their gain
+  measure-convergence.py bias SCENE -o FOLDER      the bias of ppm against the rate predicted by theory
 
-Each writes figures.json, figures.csv, plot.svg and plot.png to FOLDER; docs/convergence.md says what is measured and
-how. Needs Debian's python3-matplotlib (which brings python3-numpy).
+Each writes figures.json, figures.csv, plot.svg and plot.png to FOLDER; docs/convergence.md describes the measurements.
+Needs Debian's python3-matplotlib (which depends on python3-numpy).
 """
 
 import argparse
@@ -25,7 +25,7 @@ from exr import Picture  # noqa: E402  (the tests' reader)
 
 
 class Renderer:
-    """Runs the program on one scene; pictures go to a folder."""
+    """Runs the program on one scene; writes pictures to a folder."""
 
     def __init__(self, arguments):
         self.program = pathlib.Path(arguments.program).resolve()
@@ -55,7 +55,7 @@ class Renderer:
 
 
 def read_picture(path, layer=""):
-    """height x width x 3, or None where the file has no such layer."""
+    """An array of height x width x 3, or None if the file has no such layer."""
     picture = Picture(path, layer)
     if picture.layer + "R" not in picture.channels:
         return None
@@ -63,7 +63,7 @@ def read_picture(path, layer=""):
 
 
 def slope(xs, ys):
-    """Of the least-squares line through the logarithms; None of fewer than two points."""
+    """Slope of the least-squares line through the logarithms; None for fewer than two points."""
     points = [(math.log(x), math.log(y)) for x, y in zip(xs, ys) if x > 0 and y > 0]
     if len(points) < 2:
         return None
@@ -80,11 +80,11 @@ def write_figures(folder, about, rows):
 
 
 def draw(folder, panels):
-    """Each panel: (label of x, label of y, lines), each line: (name, xs, ys, style)."""
+    """Plots panels of (label of x, label of y, lines), with lines of (name, xs, ys, style)."""
     figure, axes = pyplot.subplots(1, len(panels), figsize=(5.5 * len(panels), 4.5), squeeze=False)
     for axis, (x_label, y_label, lines) in zip(axes[0], panels):
         for name, xs, ys, style in lines:
-            points = [(x, y) for x, y in zip(xs, ys) if y > 0]  # a bias below its noise is 0, and has no logarithm
+            points = [(x, y) for x, y in zip(xs, ys) if y > 0]  # a bias below its noise is 0 and has no logarithm
             axis.loglog(*zip(*points) if points else ([], []), style, label=name, markersize=4)
         axis.set_xlabel(x_label)
         axis.set_ylabel(y_label)
@@ -136,7 +136,7 @@ def lines_of(rows, key, ways):
 
 
 def converged(renderer, arguments, options):
-    """The picture to compare with: given, or rendered with a seed that no measured picture has."""
+    """The picture to compare with: the given one, or one rendered with a seed that no measured picture uses."""
     if arguments.reference:
         return pathlib.Path(arguments.reference)
     print(f"the converged picture: {' '.join(options) or 'the scene as it is'}, {arguments.reference_passes} passes",
@@ -165,7 +165,7 @@ def measure_samplers(arguments):
     rows = measure(renderer, arguments, ways, reference)
     error = {(row["way"], row["passes"]): row["error"] for row in rows}
     both = [passes for passes in passes_of(arguments, "") if ("independent", passes) in error]
-    # Independent passes have an error that falls with the root of their number: so many more of them would be needed
+    # The error of independent passes falls with the square root of their number: this many more would be needed
     gain = {passes: (error["independent", passes] / error["sobol", passes]) ** 2 for passes in both}
     lines, slopes = lines_of(rows, "passes", ways)
     write_figures(renderer.folder, describe(arguments, slopes_against_passes=slopes, gain=gain), rows)
@@ -176,11 +176,11 @@ def measure_samplers(arguments):
 
 
 def measure_bias(arguments):
-    """Both pictures are averaged over blocks of pixels, and ppm's over many seeds, until noise is far below bias."""
+    """Averages both pictures over blocks of pixels, and ppm's also over many seeds, so that noise is far below bias."""
     renderer = Renderer(arguments)
     reference_path = converged(renderer, arguments, way_options(arguments.reference_way))
     reference = blocks(read_picture(reference_path), arguments.block)
-    # Noise of the reference: the pixels of a path-traced picture are independent, and it carries their standard errors
+    # Noise of the reference: the pixels of a path-traced picture are independent; its file has their standard errors
     error = read_picture(reference_path, "error")
     reference_variance = 0.0 if error is None else blocks(error**2, arguments.block) / arguments.block**2
     counts = passes_of(arguments, "ppm")
@@ -192,16 +192,16 @@ def measure_bias(arguments):
             pictures.append(blocks(read_picture(path), arguments.block))
             path.unlink()
         difference = numpy.mean(pictures, axis=0) - reference
-        # The mean of n pictures has an nth of the variance that they show; its expectation is taken off the square
+        # The mean of n pictures has 1/n of their variance; subtract it from the squared difference
         variance = reference_variance + numpy.var(pictures, axis=0, ddof=1) / len(pictures)
-        # Relative to the squared radiance, as relMSE is: else the blocks on the rims of lamps would decide alone
+        # Relative to the squared radiance, like relMSE: otherwise blocks at the rims of lights would dominate
         square, noise = (float(numpy.mean(value / (reference**2 + 0.01))) for value in (difference**2, variance))
         rows.append({"passes": passes, "bias": math.sqrt(max(0.0, square - noise)), "noise": math.sqrt(noise),
                      "mean_difference": float(numpy.mean(difference)), "mean_radiance": float(numpy.mean(reference))})
         print(f"{passes:6} passes: bias {rows[-1]['bias']:.6f}, noise of the mean {rows[-1]['noise']:.6f}", flush=True)
     biases = [row["bias"] for row in rows]
     rate = slope(counts, biases)
-    # The mean over passes of the squared radius, to which the bias of a pass is proportional [Knaus11]
+    # The mean over passes of the squared radius; the bias of a pass is proportional to it [Knaus11]
     predicted = [mean_squared_radius(passes, arguments.alpha) for passes in counts]
     ratios = [math.log(b / p) for b, p in zip(biases, predicted) if b > 0]
     scale = math.exp(sum(ratios) / len(ratios)) if ratios else 1.0
@@ -215,7 +215,7 @@ def measure_bias(arguments):
 
 
 def mean_squared_radius(passes, alpha):
-    """Over the passes, in units of the first: r²(i + 1) = r²(i) (i + alpha) / (i + 1)."""
+    """Mean of r² over the passes, in units of the first: r²(i + 1) = r²(i) (i + alpha) / (i + 1)."""
     square, total = 1.0, 0.0
     for i in range(1, passes + 1):
         total += square
@@ -224,7 +224,7 @@ def mean_squared_radius(passes, alpha):
 
 
 def blocks(picture, side):
-    """Means over squares of side x side pixels; what does not fill one at the edge is left out."""
+    """Means over squares of side x side pixels; drops incomplete squares at the edges."""
     height, width = picture.shape[0] // side * side, picture.shape[1] // side * side
     squares = picture[:height, :width].reshape(height // side, side, width // side, side, 3)
     return squares.mean(axis=(1, 3))
@@ -245,7 +245,7 @@ def describe(arguments, **more):
 
 
 def passes_argument(text):
-    """'1,2,4' for all ways, or 'ppm=1,2,4;path=16,64' with another list for some."""
+    """Parses '1,2,4' for all ways, or 'ppm=1,2,4;path=16,64' with separate lists."""
     lists = {}
     for part in text.split(";"):
         way, _, numbers = part.rpartition("=")
@@ -272,14 +272,14 @@ def parse_arguments():
                              help="1,2,4 for all ways, or 'ppm=1,2,4;path=16,64'")
         command.add_argument("--seeds", type=int, default=4 if name == "bias" else 1, help="pictures to average over")
         command.add_argument("--resolution", default="128x128")
-        command.add_argument("--reference", help="converged picture, .exr; else one is rendered")
+        command.add_argument("--reference", help="converged picture, .exr; without it, one is rendered")
         command.add_argument("--reference-way", default="path")
         command.add_argument("--reference-passes", type=int, default=4096)
         command.add_argument("--option", action="append", default=[],
-                             help="handed to every render, e.g. --option=--photons=1000")
+                             help="option for every render, e.g. --option=--photons=1000")
         if name == "bias":
             command.add_argument("--block", type=int, default=16, help="side of the blocks of pixels")
-            command.add_argument("--alpha", type=float, default=2 / 3, help="of the scene")
+            command.add_argument("--alpha", type=float, default=2 / 3, help="render.alpha of the scene")
     arguments = parser.parse_args()
     if arguments.command == "bias" and arguments.seeds < 2:
         parser.error("the bias needs two seeds at least: their difference is the noise that is taken off")

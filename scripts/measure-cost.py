@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""What a render costs as its photons, passes, pixels and triangles grow: a table, and a plot on logarithmic axes.
+"""Measures how render time grows with photons, passes, pixels and triangles: a table and a plot on logarithmic axes.
 
   measure-cost.py -o FOLDER [--runs N] [--against passes pixels photons triangles]
 
-Seconds are those of the passes or, for triangles, of tracing camera rays at a mesh of so many (the renders measured
-have one pass). The slope is that of a line through the logarithms: 1 is linear cost, 0 none; of what grows with the
-logarithm of n the slope falls towards 0. FOLDER gets figures.csv and plot.svg. Needs Debian's python3-matplotlib.
+Seconds are the time of the passes or, for triangles, of tracing camera rays at a mesh of that size. The slope is that
+of a line fitted to the logarithms: 1 is linear cost, 0 constant cost; for cost logarithmic in n it falls towards 0.
+Writes figures.csv and plot.svg to FOLDER. Needs Debian's python3-matplotlib.
 """
 
 import argparse
@@ -23,7 +23,7 @@ from plotting import numpy, pyplot
 SOURCE = pathlib.Path(__file__).resolve().parent.parent
 SCENE = SOURCE / "scenes/cornell-caustics.yaml"
 
-# A rolling ground under a lamp.
+# An uneven ground under a point light.
 GROUND = """hyalite: 1
 camera: {position: [0, 1.6, 2.6], look_at: [0, 0, 0], fov: 40, resolution: [512, 512]}
 render: {integrator: whitted, max_depth: 0, passes: 4}
@@ -41,7 +41,7 @@ def run(program, *arguments):
 
 
 def write_ground(path, triangles):
-    """A square grid of about so many triangles."""
+    """Writes a square grid of about `triangles` triangles; returns their number."""
     side = max(1, round(math.sqrt(triangles / 2)))
     x, z = numpy.meshgrid(numpy.linspace(-1, 1, side + 1), numpy.linspace(-1, 1, side + 1), indexing="ij")
     y = 0.05 * numpy.sin(9 * x) * numpy.cos(7 * z) + 0.01 * numpy.sin(60 * x + 3 * z)
@@ -73,7 +73,7 @@ class Costs:
         return [(n * n, lambda n=n: self.render("--resolution", f"{n}x{n}", *fixed)) for n in (128, 256, 512, 1024)]
 
     def photons(self):
-        # The radius that finds as many photons, and next to no pixels: what it costs to trace and to sort them
+        # Almost no pixels and no caustic photons: the cost of tracing and sorting photons
         fixed = ["--resolution", "16x16", "--passes", 4, "--set", "render.caustic_photons=0"]
         return [(n, lambda n=n: self.render("--photons", n, *fixed)) for n in (50000, 100000, 200000, 400000, 800000)]
 
@@ -96,7 +96,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("-o", "--output", required=True, type=pathlib.Path, help="folder for figures and plot")
     parser.add_argument("--program", default=SOURCE / "build/release/host/hyalite")
-    parser.add_argument("--runs", type=int, default=3, help="the median counts")
+    parser.add_argument("--runs", type=int, default=3, help="number of runs; the median counts")
     kinds = ["passes", "pixels", "photons", "triangles"]
     parser.add_argument("--against", nargs="+", default=kinds, choices=kinds)
     arguments = parser.parse_args()
@@ -107,8 +107,8 @@ def main():
         for kind in arguments.against:
             sizes = getattr(costs, kind)()
             for _, measured in sizes:
-                measured()  # once uncounted: kernels are compiled
-            times = [[measured() for _, measured in sizes] for _ in range(arguments.runs)]  # by turns
+                measured()  # uncounted: compiles the kernels
+            times = [[measured() for _, measured in sizes] for _ in range(arguments.runs)]  # alternately
             seconds = [statistics.median(column) for column in zip(*times)]
             counts = [count for count, _ in sizes]
             slope = float(numpy.polyfit(numpy.log(counts), numpy.log(seconds), 1)[0])

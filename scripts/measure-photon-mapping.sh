@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What photon mapping saves and what that costs, as the tables of docs/photon-mapping.md: caustic photons stored with and
-# without the projection map; shadow rays spared by shadow photons, and the error that it leaves.
+# Makes the tables of docs/photon-mapping.md: the caustic photons stored with and without the projection map; the shadow
+# rays that shadow photons save, and the error that this adds.
 #   scripts/measure-photon-mapping.sh [SCENE...]     names in scenes/; by default the three of the document
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -11,7 +11,7 @@ trap 'rm -rf "$folder"' EXIT
 scenes=("$@")
 [ $# -gt 0 ] || scenes=(cornell-caustics cornell-box glass-teapot)
 
-# run NAME SCENE PASSES OPTION...: renders to NAME.exr, keeps the report in NAME.json
+# run NAME SCENE PASSES OPTION...: renders to NAME.exr and writes the report to NAME.json
 run() {
     name=$1
     scene=$2
@@ -38,7 +38,7 @@ PYTHON
 done
 
 echo
-echo "| scene | shadow_photons | shadow rays spared | relMSE that it adds | time, as a share of that without |"
+echo "| scene | shadow_photons | shadow rays saved | added relMSE | time relative to no shadow photons |"
 echo "|---|---|---|---|---|"
 for scene in "${scenes[@]}"; do
     run exact "$scene" 8

@@ -1,5 +1,5 @@
-"""What the measuring scripts share: numpy and matplotlib, or a word on where to get them, and plots that come out as the
-same file from the same figures."""
+"""Shared by the measuring scripts: imports numpy and matplotlib, or tells how to install them, and makes plots
+reproducible: the same figures give the same file."""
 
 import sys
 

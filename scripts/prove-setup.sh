@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
 # Proves the README's two commands on a bare Debian: makes a minimal root, clones HEAD into it, and runs them there.
 set -euo pipefail
-export LC_ALL=C # the clock below writes its decimal point
+export LC_ALL=C # for a decimal point in the times below
 
 usage() {
     cat <<'END'
 usage: scripts/prove-setup.sh bookworm|trixie [install|render|test]
 
   install   only scripts/install-deps.sh and a CMake configure
-  render    that, then scripts/render.sh twice with a small picture
-  test      that, then scripts/test.sh (the default)
+  render    scripts/render.sh twice, with a small picture
+  test      `render`, then scripts/test.sh (the default)
 
-Needs root, debootstrap and git, on a Debian machine whose mirror and network settings the new root borrows. The root
-stands in a temporary folder and is removed at the end; uncommitted changes are not part of it.
+Needs root rights, debootstrap and git, on a Debian machine; the new root copies its mirror and network settings. The
+root is in a temporary folder and is removed at the end. Uncommitted changes are not included.
 END
 }
 
@@ -38,8 +38,8 @@ source=$(realpath "$(dirname "${BASH_SOURCE[0]}")/..")
 work=$(mktemp -d)
 root=$work/$suite
 
-# Everything is mounted in namespaces that end with their processes, so nothing is mounted here when this runs. Should
-# something be all the same, leave it all in place.
+# All mounts are in namespaces that end with their processes, so nothing should be mounted here when this runs. If
+# something is, leave everything in place.
 cleanUp() {
     if grep -q " $work/" /proc/self/mountinfo; then
         echo "prove-setup.sh: left $work in place: something is mounted in it" >&2
@@ -49,7 +49,7 @@ cleanUp() {
 }
 trap cleanUp EXIT
 
-# Runs a command and notes how long it took. A function run by this must end itself where a step fails.
+# Runs a command and records its time. A function run by this must itself end on a failed step.
 timed() {
     local what=$1 start=$EPOCHREALTIME result=0
     shift
@@ -67,15 +67,14 @@ makeRoot() {
     [[ -n $mirror ]] || fail "apt knows no Debian mirror: run apt-get update"
     unshare --mount debootstrap --variant=minbase "$suite" "$root" "$mirror" >"$work/debootstrap.log" ||
         { tail "$work/debootstrap.log" >&2 && fail "debootstrap failed"; }
-    # Proxies and the like are this machine's matter; they go into the new root, not into the repository.
+    # Network settings such as proxies are specific to this machine: copy them into the new root.
     cp /etc/resolv.conf "$root/etc/resolv.conf" || return
     apt-config dump | grep '^Acquire::' | grep -Ev '^Acquire::(IndexTargets|Languages)' \
         >"$root/etc/apt/apt.conf.d/99network" || true
     git clone --quiet --no-local "$source" "$root/hyalite"
 }
 
-# Runs a command in the root, in a home folder of its own, with nothing of this machine's environment, and with
-# pseudo-terminals of its own, as any machine has them.
+# Runs a command in the new root, with its own home folder and pseudo-terminals and none of this machine's environment.
 inside() {
     # shellcheck disable=SC2016  # expanded by the inner shell
     unshare --mount --pid --fork --kill-child --mount-proc="$root/proc" bash -c '

@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
-# Makes the figures of docs/reliability.md: inputs fuzzed, kills survived, sanitizers, memory of a long run.
+# Measures the figures of docs/reliability.md: fuzzed inputs, survived kills, sanitizers, memory of a long run.
 set -euo pipefail
 
 usage() {
     cat <<'END'
 usage: scripts/reliability.sh [quick|full] [PART...]
 
-  quick   a few minutes a part (the default)
-  full    as documented: 20 000 inputs for each reader, 100 kills, an hour's render; hours in all
-  PART    fuzz, kills, leak, threads, memory, indices; all of them where none is named
+  quick   a few minutes per part (the default)
+  full    as documented: 20 000 inputs per reader, 100 kills, a render of one hour; takes hours
+  PART    fuzz, kills, leak, threads, memory, indices (all parts)
 
   fuzz      damaged files for every reader (scripts/fuzz.sh)
-  kills     renders killed at random moments, each going on from the last one's checkpoint
-  leak      whether a long render's memory grows
+  kills     renders killed at random moments, each continuing from the previous one's checkpoint
+  leak      whether the memory of a long render grows
   threads   the loaders and the reference under ThreadSanitizer
   memory    the tests under AddressSanitizer and UndefinedBehaviorSanitizer; quick: those not labelled slow
   indices   the tests with kernels that check their indices; quick: those not labelled slow

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Renders the pictures of the README's gallery into docs/gallery: each takes less than a minute on two cores.
-#   scripts/render-gallery.sh [NAME...]     all of them, or those named: csg, glass-teapot, ...
+# Renders the pictures of the README's gallery into docs/gallery, each in less than a minute on two cores.
+#   scripts/render-gallery.sh [NAME...]     all pictures, or those named: csg, glass-teapot, ...
 set -euo pipefail
 cd "$(dirname "$0")/.."
 hyalite=${HYALITE:-build/release/host/hyalite}

@@ -13,11 +13,11 @@ namespace hyalite::bench {
 
 namespace {
 
-// Two tracers' ends are one place when they differ by no more than this [of the distance, or metres where it is less
-// than one]: rounding of coordinates of a few metres, seen at a grazing angle.
+// Ends of two tracers count as the same point up to this difference, relative to the distance, or in metres below 1 m:
+// the rounding of coordinates of a few metres, at a grazing angle.
 constexpr float kSamePlace = 1e-3F;
 
-// A scene on the device, under kernels of one folder.
+// A scene on the device, with the kernels of one folder.
 struct Uploaded {
     render::Device device;
     render::DeviceScene deviceScene;
@@ -47,7 +47,7 @@ struct NamedTracer {
     std::unique_ptr<RayTracer> tracer;
 };
 
-// The first of the tracers against the others, by turns.
+// Measures the first tracer against the others, alternately.
 StageResult measureRays(const RaySet& set, const std::vector<NamedTracer>& tracers, int runs) {
     std::vector<std::vector<Run>> times(tracers.size());
     for (const NamedTracer& each : tracers) {
@@ -156,7 +156,7 @@ std::vector<KernelResult> measureKernels(const gpu::Context& context, const gpu:
         }
         KernelResult result{.kernel = entry.path().stem().string()};
         result.compileSeconds = timeOf([&] { static_cast<void>(uncached.compile(result.kernel)); }).seconds;
-        static_cast<void>(compiler.compile(result.kernel)); // now the cache holds it
+        static_cast<void>(compiler.compile(result.kernel)); // now it is in the cache
         std::optional<gpu::Kernel> kernel;
         result.pipelineSeconds = timeOf([&] { kernel.emplace(context, tables, compiler, result.kernel); }).seconds;
         for (const auto& [binding, format] : kernel->interface().tables) {

@@ -37,7 +37,7 @@ void addLamp(Scene& scene, const Quad& quad, double radiance) {
     scene.objects.push_back({.shape = quad, .material = std::nullopt, .emission = dvec3(radiance), .where = {}});
 }
 
-// A floor about the origin and a lamp over it, facing down.
+// A floor about the origin and a light above it, facing down.
 void addFloorAndLamp(Scene& scene, double size, double height) {
     add(scene, Quad{{-size, 0, size}, {2 * size, 0, 0}, {0, 0, -2 * size}}, kGray);
     addLamp(scene, {{-1, height, -1}, {2, 0, 0}, {0, 0, 2}}, 10);
@@ -84,7 +84,7 @@ Scene quadrics() {
     return scene;
 }
 
-// Five by five boxes, each drilled by a ball and joined by another.
+// Five by five boxes, each minus one ball and united with another.
 Scene csg() {
     Scene scene = sceneOf("csg", {0, 6, 8}, {0, 0.4, 0});
     const auto leaf = [&](Shape shape, std::size_t material) {
@@ -106,7 +106,7 @@ Scene csg() {
     return scene;
 }
 
-// A hundred by a hundred teapots of one mesh.
+// A hundred by a hundred instances of one teapot mesh.
 Scene instances() {
     Scene scene = sceneOf("instances", {-3, 2.6, 24}, {3, -0.6, 14});
     scene.meshes = {makeTeapot(6)};

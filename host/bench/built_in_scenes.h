@@ -1,4 +1,4 @@
-// Scenes that the benchmark makes itself, so that figures of two machines are of the same rays.
+// Scenes built into the benchmark, so that figures from two machines are for the same rays.
 #pragma once
 
 #include "scene/model/scene.h"
@@ -8,7 +8,7 @@
 
 namespace hyalite::bench {
 
-// Their names, in the order in which they are measured.
+// Their names, in the order of measurement.
 [[nodiscard]] const std::vector<std::string>& builtInScenes();
 
 // Contract: `name` is one of them.

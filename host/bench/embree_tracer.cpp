@@ -20,7 +20,7 @@ using glm::vec3;
 
 constexpr std::size_t kRaysPerPiece = 1024;
 
-// Versions 3 and 4 differ in how a ray is handed over.
+// Versions 3 and 4 differ in how they take a ray.
 #if RTC_VERSION_MAJOR >= 4
 void intersect(RTCScene scene, RTCRayHit& ray) {
     rtcIntersect1(scene, &ray);
@@ -127,7 +127,7 @@ private:
     [[nodiscard]] float traceShadow(const shared::Ray& ray) const {
         RTCRay r = embreeRay(ray);
         occluded(scene_, r);
-        return r.tfar < 0 ? 0 : kNothing; // Embree sets it to minus infinity where something is in the way
+        return r.tfar < 0 ? 0 : kNothing; // Embree sets it to minus infinity if the ray is occluded
     }
 
     [[nodiscard]] RTCScene newScene() const {

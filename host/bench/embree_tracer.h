@@ -1,4 +1,4 @@
-// The native tracer that the device is measured against, where its development package was there when this was built.
+// Embree, the native tracer to measure the device against, if its development package was installed at build time.
 #pragma once
 
 #include "bench/ray_tracer.h"
@@ -7,11 +7,11 @@
 
 namespace hyalite::bench {
 
-// "Embree 3.13.5", or empty where this was built without it.
+// E.g. "Embree 3.13.5"; empty if built without Embree.
 [[nodiscard]] std::string embreeVersion();
 
-// Embree, one ray at a time on all cores, over the scene's meshes and quads in a hierarchy of high quality; nullptr
-// where there is no Embree, or where the scene holds shapes of other kinds.
+// Embree, one ray at a time on all cores, with a high-quality hierarchy over the scene's meshes and quads; nullptr
+// without Embree, or if the scene has other shapes.
 [[nodiscard]] std::unique_ptr<RayTracer> makeEmbreeTracer(const Scene& scene);
 
 } // namespace hyalite::bench

@@ -30,13 +30,13 @@ void addPatch(Mesh& mesh, std::uint32_t columns, std::uint32_t rows, const std::
     }
 }
 
-// Waves that fall to nothing at the square's edges, so that walls meet.
+// Waves that vanish at the square's edges, so that walls meet.
 double bumps(dvec2 uv, double waves) {
     const dvec2 window = uv * (1.0 - uv);
     return 16 * window.x * window.y * std::sin(waves * uv.x) * std::sin(waves * uv.y + 1.3 * std::sin(9 * uv.x));
 }
 
-// A wall from `corner`, its bumps along `inward`.
+// A wall from `corner`, with bumps along `inward`.
 void addWall(Mesh& mesh, const dvec3& corner, const dvec3& u, const dvec3& v, const dvec3& inward) {
     constexpr std::uint32_t kSteps = 80;
     addPatch(mesh, kSteps, kSteps,

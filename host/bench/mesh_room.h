@@ -1,4 +1,4 @@
-// A closed room as one mesh: rough walls, pillars and balls of uneven surface.
+// A closed room as one mesh: bumpy walls, pillars and balls.
 #pragma once
 
 #include "scene/model/scene.h"

@@ -1,4 +1,4 @@
-// Stands in for embree_tracer.cpp where Embree is not installed.
+// Replaces embree_tracer.cpp if Embree is not installed.
 #include "bench/embree_tracer.h"
 
 namespace hyalite::bench {

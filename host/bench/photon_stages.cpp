@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint32_t kKinds = 1U << shared::kPhotonIndirect | 1U << shared::kPhotonCaustic;
 constexpr std::uint32_t kNearest = 50;     // the scene format's default
-constexpr double kLargestEstimate = 0.125; // likewise, of the scene's radius
+constexpr double kLargestEstimate = 0.125; // also the default, as a fraction of the scene's radius
 
 class PhotonStages {
 public:
@@ -40,7 +40,7 @@ public:
     }
 
 private:
-    // Measures `body`, which ends with all commands finished.
+    // Measures `body`, which must finish all its commands.
     void add(const std::string& stage, const std::string& unit, std::uint64_t count,
              const std::function<void()>& body) {
         if (options_.wants(stage)) {

@@ -1,4 +1,4 @@
-// What the photons of a pass cost: to trace, to sort into a grid or a tree, and to gather.
+// The cost of a pass's photons: to trace them, to sort them into a grid or a tree, and to gather them.
 #pragma once
 
 #include "bench/benchmark.h"
@@ -7,7 +7,7 @@
 
 namespace hyalite::bench {
 
-// Measures those of the stages photons, grid, gather, tree and estimate that are wanted.
+// Measures the stages photons, grid, gather, tree and estimate, as far as the options want them.
 void measurePhotonStages(render::Device& device, const Scene& scene, const render::DeviceScene& deviceScene,
                          const BenchOptions& options, SceneResult& result);
 

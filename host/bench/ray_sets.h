@@ -1,4 +1,4 @@
-// The rays that are measured: those that rendering the scene traces, made by the kernels that make them there.
+// The measured rays: rays that a render of the scene traces, made by the render's own kernels.
 #pragma once
 
 #include "render/upload/device_scene.h"
@@ -14,13 +14,13 @@ namespace hyalite::bench {
 
 struct RaySet {
     std::string name;
-    bool shadow = false; // any hit ends it
+    bool shadow = false; // any-hit rays
     std::vector<shared::Ray> rays;
 };
 
-// camera: one a pixel, row by row. bounce: those that go on from where these hit, by the cosine from diffuse surfaces,
-// in the same order. shuffled: the same in random order. shadow: from the diffuse hits to points on the lights.
-// Sets without a ray are left out.
+// camera: one ray per pixel, row by row. bounce: rays that continue from the camera rays' hits, cosine-distributed at
+// diffuse surfaces, in the same order. shuffled: the bounce rays in random order. shadow: from the diffuse hits to
+// points on the lights. Empty sets are left out.
 [[nodiscard]] std::vector<RaySet> makeRaySets(render::Device& device, const Scene& scene,
                                               const render::DeviceScene& deviceScene);
 

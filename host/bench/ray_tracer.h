@@ -1,4 +1,4 @@
-// Whatever can trace a set of rays: the device with its kernels, or a native tracer beside it.
+// Interface of what traces a set of rays: the device with its kernels, or a native tracer.
 #pragma once
 
 #include "bench/ray_sets.h"
@@ -14,12 +14,12 @@ public:
     RayTracer& operator=(const RayTracer&) = delete;
     virtual ~RayTracer() = default;
 
-    // Makes the rays those that are traced from now on.
+    // Sets the rays for the following calls of trace().
     virtual void load(const RaySet& set) = 0;
-    // Traces them all: the part that is timed.
+    // Traces all rays; this is the timed part.
     virtual void trace() = 0;
-    // Of each ray: where it ended, in units of its direction; infinity where it hit nothing. Shadow rays: 0 where
-    // something blocked it.
+    // For each ray, the distance to its hit in units of its direction; infinity without a hit. Shadow rays: 0 if
+    // occluded.
     [[nodiscard]] virtual std::vector<float> ends() const = 0;
 };
 

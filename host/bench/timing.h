@@ -1,4 +1,4 @@
-// Times of repeated runs, and what is said of them.
+// Times of repeated runs and their median.
 #pragma once
 
 #include <algorithm>
@@ -8,11 +8,11 @@
 namespace hyalite::bench {
 
 struct Run {
-    double seconds = 0; // by the clock
-    double cores = 0;   // computed by all cores together [s]: holds on a busy machine too
+    double seconds = 0; // wall time
+    double cores = 0;   // CPU time of all cores [s]: comparable on a busy machine too
 };
 
-// The middle one; of an even number, the mean of the two in the middle. Contract: not empty.
+// The middle value; for an even count, the mean of the two middle ones. Contract: not empty.
 [[nodiscard]] inline double median(std::vector<double> values) {
     std::ranges::sort(values);
     const std::size_t half = values.size() / 2;
@@ -28,7 +28,7 @@ struct Run {
     return median(values);
 }
 
-// Begins with the process's time so far.
+// Measures wall and CPU time since its construction.
 class RunClock {
 public:
     RunClock();
@@ -38,7 +38,7 @@ private:
     Run start_;
 };
 
-// Of one call.
+// Time of one call.
 template <class Body>
 [[nodiscard]] Run timeOf(const Body& body) {
     const RunClock clock;
@@ -46,7 +46,7 @@ template <class Body>
     return clock.elapsed();
 }
 
-// Of so many calls, after one that is not counted.
+// Times of `count` calls, after one uncounted call.
 template <class Body>
 [[nodiscard]] std::vector<Run> timesOf(int count, const Body& body) {
     body();

@@ -13,7 +13,7 @@ namespace hyalite::cli {
 
 namespace {
 
-// One line on stderr, whatever a file name or an option may hold.
+// Prints one line on stderr; control characters of file names and options become '?'.
 int fail(ExitCode code, const std::string& what) {
     std::string line = what;
     std::ranges::replace_if(line, [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
@@ -46,7 +46,7 @@ int parseAndRun(int argc, char** argv) {
     }
     std::cout.flush();
     if (!std::cout) {
-        return fail(ExitCode::OutputNotWritten, "the text output could not be written (is its disk full?)");
+        return fail(ExitCode::OutputNotWritten, "cannot write standard output (is the disk full?)");
     }
     return static_cast<int>(exit);
 }
@@ -54,7 +54,7 @@ int parseAndRun(int argc, char** argv) {
 } // namespace
 
 int run(int argc, char** argv) {
-    std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large fails its write, and does not end the program
+    std::signal(SIGXFSZ, SIG_IGN); // beyond the file size limit a write fails instead of killing the program
     try {
         return parseAndRun(argc, argv);
     } catch (const Error& error) {

@@ -1,4 +1,4 @@
-// The command line as a whole: finds the command, runs it, turns failures into one line on stderr and an exit code.
+// The command line: finds the command, runs it, turns failures into one line on stderr and an exit code.
 #pragma once
 
 namespace hyalite::cli {

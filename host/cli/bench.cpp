@@ -1,4 +1,4 @@
-// `hyalite bench`: how fast this machine is, stage by stage, beside a native ray tracer.
+// `hyalite bench`: measures the speed of each stage on this machine, next to a native ray tracer.
 #include "bench/benchmark.h"
 #include "bench/built_in_scenes.h"
 #include "bench/embree_tracer.h"
@@ -56,7 +56,7 @@ BenchReport measure(BenchCommand command) {
     const gpu::Context& context = device.context();
     const gpu::ShaderCompiler& compiler = device.compiler();
     report.device = context.info().name + ", " + context.info().driver;
-    if (command.options.wants(kKernels)) { // first: later the driver knows many of them
+    if (command.options.wants(kKernels)) { // first, before the driver has compiled many of them
         report.kernels = bench::measureKernels(context, compiler);
     }
     if (command.options.stages != std::set<std::string>{kKernels}) {
@@ -136,7 +136,7 @@ std::string scaled(double value) {
     return text.str();
 }
 
-// Of each stage: time by the clock, how busy the cores were, speed, and the rivals'.
+// For each stage: wall time, busy cores, speed, and the same of the rivals.
 void printScene(const bench::SceneResult& scene) {
     std::ostringstream table;
     table << scene.scene << ": " << scene.objects << " objects, " << scene.triangles << " triangles\n" << std::fixed;
@@ -194,7 +194,7 @@ void runBench(const BenchCommand& command) {
 } // namespace
 
 void addBench(CLI::App& app) {
-    // The callback outlives this function, and the command with it.
+    // Shared with the callback, which outlives this function.
     const auto command = std::make_shared<BenchCommand>();
     CLI::App* sub = app.add_subcommand("bench", "measure each stage: rays, photons, searches, kernels");
     std::vector<std::string> stages = bench::stageNames();
@@ -203,9 +203,9 @@ void addBench(CLI::App& app) {
     for (const std::string& name : bench::builtInScenes()) {
         names += (names.empty() ? "" : ", ") + name;
     }
-    sub->add_option("SCENE", command->scenes, "scene files, or scenes made here: " + names + "; none: all of these");
-    sub->add_option("--stage", command->stages, "measure these stages only")->check(CLI::IsMember(stages));
-    sub->add_option("--runs", command->options.runs, "runs of each stage; the median is printed")
+    sub->add_option("SCENE", command->scenes, "scene files or built-in scenes: " + names + " (all built-in scenes)");
+    sub->add_option("--stage", command->stages, "measure only these stages")->check(CLI::IsMember(stages));
+    sub->add_option("--runs", command->options.runs, "runs of each stage; prints their median")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     sub->add_option("--photons", command->options.photons, "photons emitted")
@@ -213,7 +213,7 @@ void addBench(CLI::App& app) {
         ->capture_default_str();
     addDeviceOptions(*sub, command->device);
     sub->add_option("--against", command->against,
-                    "folder of other shaders: trace the rays with both by turns, and print the ratio");
+                    "folder of other shaders: trace the rays with both in turn and print the ratio of their speeds");
     sub->add_flag("--json", command->json, "print one JSON object instead of a table");
     sub->callback([command] { runBench(*command); });
 }

@@ -1,5 +1,5 @@
-// The commands of the program: each adds its parser to the application and runs in the parser's callback. A callback
-// reports failure by throwing Error, or sets `exit` where a comparison failed.
+// The commands of the program. Each adds its parser to the application and runs in the parser's callback. A callback
+// reports failure by throwing Error, or sets `exit` if a comparison failed.
 #pragma once
 
 #include "base/error.h"

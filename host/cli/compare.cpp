@@ -1,4 +1,4 @@
-// `hyalite compare`: how far a picture is from its reference, for eyes, for scripts (--json) and for CI (--max-…).
+// `hyalite compare`: the error of a picture against its reference, as a table, for scripts (--json) and CI (--max-…).
 #include "cli/command.h"
 #include "cli/number_check.h"
 #include "image/error_map.h"
@@ -26,7 +26,7 @@ struct CompareOptions {
     std::string reference;
     std::optional<std::array<int, 4>> crop;
     double within = 0.01;
-    std::string difference; // file for the picture of the difference; empty: none
+    std::string difference; // file for the false-colour picture of FLIP; empty: none
     std::optional<double> maxRmse;
     std::optional<double> maxRelMse;
     std::optional<double> maxFlip;
@@ -54,7 +54,7 @@ struct Comparison {
     }
 };
 
-// A picture that has a value for every pixel; without one there is nothing to measure.
+// Reads a picture and checks that every pixel is finite.
 Image readComparable(const std::string& path) {
     Image image = readImage(path);
     if (const std::size_t count = countNotFinite(image); count > 0) {
@@ -101,7 +101,7 @@ void printJson(const CompareOptions& options, const Comparison& result) {
 }
 
 void printTable(const CompareOptions& options, const Comparison& result) {
-    std::ostringstream table; // a stream of its own: std::cout keeps its format
+    std::ostringstream table; // leaves the format of std::cout alone
     table << std::left << std::setprecision(6);
     const auto label = [&table](const std::string& text) -> std::ostream& { return table << std::setw(20) << text; };
     for (const Measure& measure : result.measures) {
@@ -144,23 +144,24 @@ void runCompare(const CompareOptions& options, ExitCode& exit) {
 } // namespace
 
 void addCompare(CLI::App& app, ExitCode& exit) {
-    // The callback outlives this function, and the options with it.
+    // Shared with the callback, which outlives this function.
     const auto options = std::make_shared<CompareOptions>();
     CLI::App* command = app.add_subcommand("compare", "RMSE, relMSE and FLIP of a picture against a reference");
     command->add_option("A", options->image, "picture (.png or .exr)")->required();
     command->add_option("B", options->reference, "reference (.png or .exr)")->required();
     command->add_flag("--json", options->json, "print one JSON object");
-    command->add_option("--crop", options->crop, "compare these pixels only")->delimiter(',')->type_name("X,Y,W,H");
-    command->add_option("--within", options->within, "relative tolerance for the share of pixels within it")
+    command->add_option("--crop", options->crop, "compare only these pixels")->delimiter(',')->type_name("X,Y,W,H");
+    command->add_option("--within", options->within, "relative tolerance; prints the share of pixels within it")
         ->capture_default_str()
         ->check(finiteNumber(/*zeroAllowed*/ true))
         ->type_name("REL");
-    command->add_option("-o,--output", options->difference, "write FLIP as a false-colour picture")->type_name("FILE");
-    command->add_option("--max-rmse", options->maxRmse, "exit with 1 above this RMSE")
+    command->add_option("-o,--output", options->difference, "write FLIP per pixel as a false-colour picture")
+        ->type_name("FILE");
+    command->add_option("--max-rmse", options->maxRmse, "exit with code 1 above this RMSE")
         ->check(finiteNumber(/*zeroAllowed*/ true));
-    command->add_option("--max-relmse", options->maxRelMse, "exit with 1 above this relMSE")
+    command->add_option("--max-relmse", options->maxRelMse, "exit with code 1 above this relMSE")
         ->check(finiteNumber(/*zeroAllowed*/ true));
-    command->add_option("--max-flip", options->maxFlip, "exit with 1 above this mean FLIP")
+    command->add_option("--max-flip", options->maxFlip, "exit with code 1 above this mean FLIP")
         ->check(finiteNumber(/*zeroAllowed*/ true));
     command->callback([options, &exit] { runCompare(*options, exit); });
 }

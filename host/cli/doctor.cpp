@@ -1,5 +1,5 @@
-// `hyalite doctor`: can this machine render, and if not, what mends it. Goes through all that a render needs before its
-// first pixel: driver, device, shaders, and a dispatch whose answer is known.
+// `hyalite doctor`: checks whether this machine can render and tells how to fix what is missing. Goes through all that
+// a render needs before its first pixel: driver, device, shaders, and a dispatch with a known result.
 #include "cli/command.h"
 #include "cli/shader_folder.h"
 #include "gpu/lavapipe.h"
@@ -31,7 +31,7 @@ struct Check {
     std::string name;
     bool passed = false;
     std::string detail;
-    std::string mend; // what to do; empty where nothing needs mending
+    std::string fix; // what to do; empty: nothing
     bool needed = true;
 };
 
@@ -54,24 +54,25 @@ std::string withoutHint(const Error& error) {
     return text;
 }
 
-// `find` returns what is to be said when all is well; an Error of its becomes the check's failure, its hint the advice.
+// A check that passes with the text that `find` returns. If `find` throws Error, the check fails with its message and
+// its hint is the fix.
 template <class Find>
 Check examine(const std::string& name, const Find& find) {
     try {
-        return {.name = name, .passed = true, .detail = find(), .mend = {}};
+        return {.name = name, .passed = true, .detail = find(), .fix = {}};
     } catch (const Error& error) {
-        return {.name = name, .detail = withoutHint(error), .mend = error.hint()};
+        return {.name = name, .detail = withoutHint(error), .fix = error.hint()};
     }
 }
 
 std::string openDevice(const DoctorOptions& options, Diagnosis& diagnosis, std::unique_ptr<gpu::Context>& context) {
-    gpu::prepareLavapipe(cacheFolder()); // it is to be seen as renders see it
+    gpu::prepareLavapipe(cacheFolder()); // doctor sees it as render does
     diagnosis.devices = gpu::listDevices();
     diagnosis.chosen = gpu::chooseDevice(diagnosis.devices, options.device);
     gpu::ContextOptions wanted;
     wanted.device = std::to_string(*diagnosis.chosen);
     context = std::make_unique<gpu::Context>(wanted);
-    return context->info().name + " has all that the kernels need";
+    return context->info().name + " has all features that the kernels need";
 }
 
 std::string compileAll(const gpu::ShaderCompiler& compiler) {
@@ -82,21 +83,21 @@ std::string compileAll(const gpu::ShaderCompiler& compiler) {
             ++kernels;
         }
     }
-    return std::to_string(kernels) + " kernels of " + compiler.shaders().string() + " compile";
+    return "all " + std::to_string(kernels) + " kernels in " + compiler.shaders().string() + " compile";
 }
 
 std::string testDevice(const gpu::Context& context, const gpu::ShaderCompiler& compiler) {
     gpu::selfTest(context, compiler);
-    return "long loops, texel fetches and struct layouts give the known answers";
+    return "long loops, texel fetches and struct layouts give the expected results";
 }
 
 Check examineValidation() {
     if (gpu::validationLayerInstalled()) {
-        return {.name = "validation", .passed = true, .detail = "the layer is installed", .mend = {}, .needed = false};
+        return {.name = "validation", .passed = true, .detail = "the layer is installed", .fix = {}, .needed = false};
     }
     return {.name = "validation",
             .detail = "the layer is not installed; only the tests use it",
-            .mend = "scripts/install-deps.sh test",
+            .fix = "scripts/install-deps.sh test",
             .needed = false};
 }
 
@@ -104,13 +105,13 @@ Check examineEditor() {
     if (live::hasEditor()) {
         return {.name = "editor",
                 .passed = true,
-                .detail = "CodeMirror is part of hyalite live",
-                .mend = {},
+                .detail = "hyalite live has CodeMirror built in",
+                .fix = {},
                 .needed = false};
     }
     return {.name = "editor",
             .detail = "hyalite live was built without CodeMirror: its editor is a plain text field",
-            .mend = "scripts/install-deps.sh, then build again",
+            .fix = "scripts/install-deps.sh, then build again",
             .needed = false};
 }
 
@@ -121,7 +122,7 @@ Diagnosis diagnose(const DoctorOptions& options) {
     std::unique_ptr<gpu::ShaderCompiler> compiler;
     checks.push_back(examine("device", [&] { return openDevice(options, diagnosis, context); }));
     checks.push_back(examine("shaders", [&] {
-        // Without the cache: what is asked is whether they compile now.
+        // Without the cache, so that they are compiled now.
         compiler = std::make_unique<gpu::ShaderCompiler>(findShaders(options.shaders));
         return compileAll(*compiler);
     }));
@@ -153,7 +154,7 @@ void printJson(const Diagnosis& diagnosis) {
                                     {"passed", check.passed},
                                     {"needed", check.needed},
                                     {"detail", check.detail},
-                                    {"mend", check.mend}});
+                                    {"fix", check.fix}});
     }
     std::cout << object.dump(2) << '\n';
 }
@@ -169,8 +170,8 @@ void printText(const Diagnosis& diagnosis) {
     for (const Check& check : diagnosis.checks) {
         const char* verdict = check.passed ? "ok" : check.needed ? "FAILED" : "missing";
         std::cout << std::left << std::setw(12) << check.name << std::setw(9) << verdict << check.detail << '\n';
-        if (!check.mend.empty()) {
-            std::cout << std::setw(21) << "" << "mend it: " << check.mend << '\n';
+        if (!check.fix.empty()) {
+            std::cout << std::setw(21) << "" << "to fix: " << check.fix << '\n';
         }
     }
     std::cout << (diagnosis.usable() ? "hyalite can render here" : "hyalite cannot render here") << '\n';
@@ -179,12 +180,12 @@ void printText(const Diagnosis& diagnosis) {
 } // namespace
 
 void addDoctor(CLI::App& app, ExitCode& exit) {
-    // The callback outlives this function, and the options with it.
+    // Shared with the callback, which outlives this function.
     const auto options = std::make_shared<DoctorOptions>();
-    CLI::App* command = app.add_subcommand("doctor", "whether this machine can render, and what mends it");
-    command->add_option("--device", options->device, "the device to examine, by part of its name or by index")
+    CLI::App* command = app.add_subcommand("doctor", "check whether this machine can render, and how to fix it");
+    command->add_option("--device", options->device, "the device to check: part of its name, or its number")
         ->type_name("NAME|INDEX");
-    command->add_option("--shaders", options->shaders, "the folder of shaders to examine")->type_name("DIR");
+    command->add_option("--shaders", options->shaders, "the folder of shaders to check")->type_name("DIR");
     command->add_flag("--json", options->json, "print one JSON object");
     command->callback([options, &exit] {
         const Diagnosis diagnosis = diagnose(*options);

@@ -1,5 +1,5 @@
-// `hyalite live`: a page that shows a scene while it renders, and renders it again whenever a file is saved. Also the
-// hidden command of the worker process that renders.
+// `hyalite live`: serves a page that shows a scene while it renders, and renders it again whenever a file is saved.
+// Also the hidden command of the worker process that renders.
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/private_folder.h"
@@ -65,7 +65,7 @@ void runLive(LiveCommand command) {
     }
     static_cast<void>(gpu::chooseDevice(gpu::listDevices(), command.device.name)); // throws when there is none
     command.device.shaders = std::filesystem::absolute(findShaders(command.device.shaders)).lexically_normal().string();
-    // Workers find there what earlier ones compiled
+    // A worker reuses what earlier workers compiled
     std::optional<PrivateFolder> ownCache;
     if (cacheFolder().empty()) {
         ownCache.emplace();
@@ -93,11 +93,11 @@ void runLive(LiveCommand command) {
 void addLive(CLI::App& app) {
     const auto command = std::make_shared<LiveCommand>();
     CLI::App* sub =
-        app.add_subcommand("live", "serve a page that renders a scene, again whenever a shader or the scene is saved");
+        app.add_subcommand("live", "serve a page that shows a render; saving a shader or the scene renders it again");
     sub->add_option("SCENE", command->scene, "scene file (YAML)")->required();
-    sub->add_option("--port", command->port, "port to listen at; 0: any free port (7878)")->check(CLI::Range(0, 65535));
+    sub->add_option("--port", command->port, "port to listen on; 0: any free port (7878)")->check(CLI::Range(0, 65535));
     sub->add_option("--host", command->address,
-                    "address to listen at, for other machines; the page then needs the token that is printed");
+                    "address to listen on, for access from other machines; the page then needs the printed token");
     sub->add_flag("--edit", command->edit, "let the page save shaders and the scene");
     sub->add_option("--limit", command->limit, "stop a kernel that takes longer than this many seconds (10)")
         ->check(finiteNumber(/*zeroAllowed*/ false));

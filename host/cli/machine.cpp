@@ -11,7 +11,7 @@ namespace hyalite::cli {
 
 namespace {
 
-// The value of a key of /proc/cpuinfo, of the first processor; empty where there is none.
+// The value of a key of /proc/cpuinfo for the first processor; empty if there is none.
 std::string cpuInfo(const std::string& key) {
     std::ifstream file("/proc/cpuinfo");
     for (std::string line; std::getline(file, line);) {
@@ -23,12 +23,12 @@ std::string cpuInfo(const std::string& key) {
     return {};
 }
 
-// Those that a driver on the CPU may compute with.
+// The vector instruction sets that a CPU driver may use.
 std::string vectorFeatures() {
     constexpr std::array<std::string_view, 8> kWanted{"sse4_1", "sse4_2", "avx",     "avx2",
                                                       "fma",    "f16c",   "avx512f", "asimd"};
     std::string flags = cpuInfo("flags");
-    flags += cpuInfo("Features"); // as ARM calls them
+    flags += cpuInfo("Features"); // the key on ARM
     std::istringstream words(flags);
     std::string found;
     for (std::string word; words >> word;) {
@@ -51,8 +51,8 @@ std::vector<std::pair<std::string, std::string>> describeMachine(const gpu::Cont
     std::vector<std::pair<std::string, std::string>> machine{
         {"device", device.name},
         {"driver", device.driver},
-        {"lanes that run together", std::to_string(device.subgroupSize) + (device.software ? " floats" : "") +
-                                        environment("LP_NATIVE_VECTOR_WIDTH")},
+        {"subgroup size", std::to_string(device.subgroupSize) + (device.software ? " floats" : "") +
+                              environment("LP_NATIVE_VECTOR_WIDTH")},
         {"threads", std::to_string(std::thread::hardware_concurrency()) + environment("LP_NUM_THREADS")},
         {"processor", cpuInfo("model name")},
         {"vector features", vectorFeatures()},

@@ -1,4 +1,4 @@
-// What a report says of the machine it was made on.
+// Describes the machine for a report.
 #pragma once
 
 #include "gpu/context.h"

@@ -1,4 +1,5 @@
-// `hyalite merge`: passes of one render, made anywhere, to the picture that one render of them all makes.
+// `hyalite merge`: merges passes of one render, made on any machines, into the picture that a single render of all
+// passes gives.
 #include "base/numbers.h"
 #include "base/output_file.h"
 #include "base/stopwatch.h"
@@ -27,14 +28,14 @@ struct MergeCommand {
 
 void checkOutputs(const MergeCommand& command) {
     if (command.outputs.empty() && command.checkpoint.empty()) {
-        throw Error(ExitCode::WrongUsage, "merge has nothing to write", "add -o picture.png or --checkpoint FILE");
+        throw Error(ExitCode::WrongUsage, "merge has nothing to write", "add -o FILE.png or --checkpoint FILE");
     }
     for (const std::string& output : command.outputs) {
         checkImageWritable(output);
     }
     if (!command.checkpoint.empty()) {
         if (std::filesystem::exists(command.checkpoint)) {
-            throw Error(ExitCode::WrongUsage, SourceLocation{command.checkpoint}, "the checkpoint is there already",
+            throw Error(ExitCode::WrongUsage, SourceLocation{command.checkpoint}, "the checkpoint already exists",
                         "remove it, or choose another name");
         }
         checkWritable(command.checkpoint);
@@ -83,16 +84,16 @@ void merge(const MergeCommand& command) {
 
 void addMerge(CLI::App& app) {
     const auto command = std::make_shared<MergeCommand>();
-    CLI::App* sub = app.add_subcommand("merge", "put the passes of several checkpoints together");
+    CLI::App* sub = app.add_subcommand("merge", "merge the passes of several checkpoints");
     sub->add_option("PART", command->parts,
-                    "checkpoints of one render, with passes of their own each (render --passes "
+                    "checkpoints of one render, each with different passes (render --passes "
                     "0:64 --checkpoint PART)")
         ->required();
     sub->add_option("-o,--output", command->outputs, "picture to write, .png or .exr; may be given several times");
-    sub->add_option("--checkpoint", command->checkpoint, "write all passes to this checkpoint");
+    sub->add_option("--checkpoint", command->checkpoint, "write the merged passes to this checkpoint");
     addDeviceOptions(*sub, command->device);
     sub->add_flag("--layers", command->layers,
-                  "write the parts that the picture is the sum of, and its standard error, into .exr files too");
+                  "also write the layers that add up to the picture, and its standard error, into .exr files");
     sub->add_flag("--json", command->json, "print one JSON object instead of text");
     sub->add_flag("--quiet", command->quiet, "print nothing but errors");
     sub->callback([command] { merge(*command); });

@@ -1,4 +1,4 @@
-// Checks of numbers on the command line. CLI11's own let NaN pass, which compares false with every limit.
+// Checks of numbers on the command line. CLI11's own checks accept NaN, because it compares false with every limit.
 #pragma once
 
 #include <CLI/CLI.hpp>

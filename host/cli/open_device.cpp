@@ -23,21 +23,21 @@ gpu::ContextOptions optionsOf(const DeviceChoice& choice) {
 } // namespace
 
 void addDeviceOptions(CLI::App& sub, DeviceChoice& choice) {
-    sub.add_option("--device", choice.name, "part of a device's name, or its number (see hyalite doctor)");
+    sub.add_option("--device", choice.name, "device to use: part of its name, or its number (see hyalite doctor)");
     sub.add_option("--shaders", choice.shaders, "folder of shaders to use instead of the installed ones");
-    sub.add_option("--device-timeout", choice.timeout, "seconds that the device may take for part of a pass (1800)")
+    sub.add_option("--device-timeout", choice.timeout, "time limit of the device for each part of a pass [s] (1800)")
         ->check(finiteNumber(/*zeroAllowed*/ false));
     sub.add_flag("--validation", choice.validation, "check every Vulkan call with the validation layers");
 }
 
 void addTwinOption(CLI::App& sub, std::vector<std::string>& twins) {
-    sub.add_option("--twins", twins, "shared objects with twins in C++ of the scene's own GLSL, for the reference")
+    sub.add_option("--twins", twins, "shared objects with C++ twins of the scene's custom GLSL, for the reference")
         ->type_name("FILE.so");
 }
 
 OpenDevice::OpenDevice(const DeviceChoice& choice)
     : context_(optionsOf(choice)), compiler_(findShaders(choice.shaders), cacheFolder(), shippedKernels()) {
-    // Whoever waits for a device that hangs, as destructors do, hangs too: the program ends here
+    // Waiting for a hung device, as destructors do, would hang too: end the program at once
     gpu::setWatchdog(context_,
                      {.limit = choice.timeout.value_or(gpu::Watchdog().limit), .onStuck = [](const std::string& what) {
                           std::cerr << "hyalite: " << what << '\n';

@@ -1,4 +1,4 @@
-// The device that a command works on, as its options ask for it.
+// The device that a command uses, selected by its options.
 #pragma once
 
 #include "gpu/context.h"
@@ -14,15 +14,15 @@ namespace hyalite::cli {
 
 struct DeviceChoice {
     std::string name;    // see gpu::ContextOptions
-    std::string shaders; // folder; empty: those installed
+    std::string shaders; // folder; empty: the installed one
     bool validation = false;
-    std::optional<double> timeout; // [s]; nothing: see gpu::Watchdog
+    std::optional<double> timeout; // [s]; nullopt: the default of gpu::Watchdog
 };
 
-// --device, --shaders, --validation and --device-timeout.
+// Adds --device, --shaders, --validation and --device-timeout.
 void addDeviceOptions(CLI::App& sub, DeviceChoice& choice);
 
-// --twins.
+// Adds --twins.
 void addTwinOption(CLI::App& sub, std::vector<std::string>& twins);
 
 class OpenDevice {
@@ -33,7 +33,7 @@ public:
     [[nodiscard]] const gpu::Context& context() const { return context_; }
     [[nodiscard]] const gpu::ShaderCompiler& compiler() const { return compiler_; }
 
-    // Throws Error(Device) where the validation layers had something to say.
+    // Throws Error(Device) if the validation layers reported anything.
     void checkValidation() const;
 
 private:

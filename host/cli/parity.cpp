@@ -1,5 +1,5 @@
-// `hyalite parity`: does the device compute what the reference computes, and if not, where do they part? `hyalite
-// inspect`: one path on both sides.
+// `hyalite parity`: compares every stage on the device with the reference and finds where they first differ. `hyalite
+// inspect`: shows one path on both sides.
 #include "parity/parity.h"
 #include "base/output_file.h"
 #include "cli/command.h"
@@ -21,7 +21,7 @@ namespace hyalite::cli {
 
 namespace {
 
-// What both commands are asked.
+// The options of both commands.
 struct Sought {
     std::string scene;
     DeviceChoice device;
@@ -61,7 +61,7 @@ Scene loadSought(const Sought& sought, bool atTestSize) {
     return scene;
 }
 
-// What to type to see the same again.
+// The command that repeats this comparison.
 std::string commandLine(const ParityCommand& command) {
     std::string line = "hyalite parity " + command.scene;
     for (const SceneSetting& setting : command.settings.shorthands) {
@@ -78,12 +78,12 @@ std::string commandLine(const ParityCommand& command) {
     return line + (command.fullSize ? " --full" : "");
 }
 
-// A kernel that did not run was not compared.
+// Reports a requested kernel that did not run and so was not compared.
 void refuseAbsentStages(const std::vector<std::string>& wanted, const parity::Result& result) {
     for (const std::string& stage : wanted) {
         if (std::ranges::find(result.stages, stage, &parity::StageResult::name) == result.stages.end()) {
             throw Error(ExitCode::WrongUsage, "no kernel named '" + stage + "' runs in this render",
-                        "hyalite parity without --stages lists those that do");
+                        "hyalite parity without --stages lists the kernels that run");
         }
     }
 }
@@ -92,7 +92,7 @@ void runParity(const ParityCommand& command, ExitCode& exit) {
     const Scene scene = loadSought(command, !command.fullSize);
     const std::filesystem::path page = std::filesystem::path(command.report) / "parity.html";
     if (!command.report.empty()) {
-        std::error_code ignored; // checkWritable says what is wrong
+        std::error_code ignored; // checkWritable reports the error
         std::filesystem::create_directories(command.report, ignored);
         checkWritable(page);
     }
@@ -121,7 +121,7 @@ void runParity(const ParityCommand& command, ExitCode& exit) {
 
 void runInspect(const InspectCommand& command) {
     if (command.pixel.has_value() == command.photon.has_value()) {
-        throw Error(ExitCode::WrongUsage, "inspect looks at one pixel or one photon", "give --pixel X,Y or --photon N");
+        throw Error(ExitCode::WrongUsage, "inspect needs either a pixel or a photon", "give --pixel X,Y or --photon N");
     }
     const Scene scene = loadSought(command, command.testSize);
     std::optional<std::uint32_t> pixel;
@@ -130,7 +130,7 @@ void runInspect(const InspectCommand& command) {
         const auto& [x, y] = *command.pixel;
         if (x >= resolution.x || y >= resolution.y) {
             throw Error(ExitCode::WrongUsage, "pixel " + std::to_string(x) + ',' + std::to_string(y) +
-                                                  " is not in a picture of " + std::to_string(resolution.x) + " x " +
+                                                  " is outside the picture of " + std::to_string(resolution.x) + " x " +
                                                   std::to_string(resolution.y));
         }
         pixel = y * resolution.x + x;
@@ -150,14 +150,13 @@ void addParity(CLI::App& app, ExitCode& exit) {
     const auto command = std::make_shared<ParityCommand>();
     CLI::App* sub =
         app.add_subcommand("parity", "compare every stage on the device with the double-precision reference");
-    sub->footer("Unless --full is given: at most 64 pixels a side, 2 passes, 8192 photons; --resolution, --passes and "
-                "--photons ask for more.");
+    sub->footer("Without --full: at most 64 pixels a side, 2 passes and 8192 photons, unless --resolution, --passes or "
+                "--photons are given.");
     addSought(*sub, *command);
-    sub->add_option("--stages", command->stages, "compare these kernels alone, e.g. trace_closest,shade_surface")
+    sub->add_option("--stages", command->stages, "compare only these kernels, e.g. trace_closest,shade_surface")
         ->delimiter(',');
-    sub->add_option("--report", command->report, "write a report to look at, parity.html, into this folder")
-        ->type_name("DIR");
-    sub->add_flag("--full", command->fullSize, "compare at the scene's own size, however long that takes");
+    sub->add_option("--report", command->report, "write the report parity.html into this folder")->type_name("DIR");
+    sub->add_flag("--full", command->fullSize, "compare at the scene's full size, which may take long");
     sub->add_flag("--json", command->json, "print one JSON object instead of text");
     sub->callback([command, &exit] { runParity(*command, exit); });
 }
@@ -166,14 +165,14 @@ void addInspect(CLI::App& app) {
     const auto command = std::make_shared<InspectCommand>();
     CLI::App* sub = app.add_subcommand("inspect", "show the path of a pixel or a photon on both sides");
     addSought(*sub, *command);
-    sub->add_option("--pixel", command->pixel, "the pixel, counted from the upper left")
+    sub->add_option("--pixel", command->pixel, "pixel coordinates, from the upper left")
         ->delimiter(',')
         ->type_name("X,Y");
-    sub->add_option("--photon", command->photon, "the photon's number in the pass")->type_name("N");
-    sub->add_flag("--caustic", command->caustic, "the photon is one of those aimed at what is specular")
+    sub->add_option("--photon", command->photon, "number of the photon in the pass")->type_name("N");
+    sub->add_flag("--caustic", command->caustic, "the photon is a caustic photon, aimed at mirrors and glass")
         ->needs("--photon");
-    sub->add_option("--pass", command->pass, "the pass, counted from 0")->type_name("N");
-    sub->add_flag("--test-size", command->testSize, "at the size that hyalite parity compares at");
+    sub->add_option("--pass", command->pass, "number of the pass, from 0")->type_name("N");
+    sub->add_flag("--test-size", command->testSize, "use the reduced size of hyalite parity");
     sub->callback([command] { runInspect(*command); });
 }
 

@@ -28,7 +28,7 @@ std::string verdictOf(const StageResult& stage) {
     return stage.passed() ? "passed" : "too many apart";
 }
 
-// The field whose errors are largest, measured by what is allowed; nullptr where all are exact.
+// The field with the largest errors relative to their tolerance; nullptr if all fields are exact.
 const FieldResult* worstField(const StageResult& stage) {
     const FieldResult* worst = nullptr;
     double largest = 0;
@@ -77,12 +77,12 @@ void addPaths(std::ostream& text, const std::string& name, const parity::PathRes
     const parity::PhotonSum& device = paths.storedOnDevice;
     const parity::PhotonSum& twin = paths.storedByTwin;
     if (device.count + twin.count > 0) {
-        text << "photons stored: " << device.count << " of " << parity::describe(device.flux) << " W by the device, "
-             << twin.count << " of " << parity::describe(twin.flux) << " W by the twin\n";
+        text << "photons stored: " << device.count << " with " << parity::describe(device.flux) << " W on the device, "
+             << twin.count << " with " << parity::describe(twin.flux) << " W by the twin\n";
     }
 }
 
-// Both sides of the first paths that nothing explains.
+// Both sides of the first paths with an unexplained difference.
 void addUnexplained(std::ostream& text, const parity::PathResult& paths, const Scene& scene) {
     constexpr std::size_t kShown = 2;
     for (std::size_t i = 0; i < std::min(kShown, paths.worst.size()) && paths.worst[i].cause.empty(); ++i) {
@@ -161,8 +161,8 @@ std::string pathTable(const parity::RecordedPath& path, const Scene& scene) {
     };
     for (const parity::Vertex& twin : path.twin) {
         text << "vertex " << twin.depth
-             << (twin.depth == path.differsAt ? "   <-- the sides part here, first in " + path.what + ": " +
-                                                    (path.cause.empty() ? "nothing explains it" : path.cause)
+             << (twin.depth == path.differsAt ? "   <-- the sides diverge here, first in " + path.what + ": " +
+                                                    (path.cause.empty() ? "unexplained" : path.cause)
                                               : "")
              << '\n';
         const auto device = std::ranges::find_if(path.device, matching(twin));
@@ -178,13 +178,13 @@ std::string pathTable(const parity::RecordedPath& path, const Scene& scene) {
     }
     for (const parity::DeviceVertex& device : path.device) {
         if (std::ranges::none_of(path.twin, matching(device))) {
-            text << "vertex " << device.depth << "   <-- the device's alone\n";
+            text << "vertex " << device.depth << "   <-- only on the device\n";
             vertexText("device", device);
         }
     }
     text << name << ": "
          << (path.differsAt == 0 ? "both sides agree vertex by vertex"
-                                 : "the sides part at vertex " + std::to_string(path.differsAt))
+                                 : "the sides diverge at vertex " + std::to_string(path.differsAt))
          << '\n';
     return text.str();
 }

@@ -1,4 +1,4 @@
-// `hyalite render`: a scene file to pictures, on the device or by the reference.
+// `hyalite render`: renders a scene file to pictures, on the device or with the reference.
 #include "base/interrupt.h"
 #include "base/numbers.h"
 #include "base/output_file.h"
@@ -53,11 +53,11 @@ struct RenderCommand {
     RenderCommand() { settings.shorthands.push_back({"--samples", "render.passes"}); }
 };
 
-// An option that would have no effect is a mistake, not a matter of taste.
+// Rejects options that would have no effect.
 void refuseDeviceOptions(const RenderCommand& command) {
     const auto refuse = [](bool given, const char* option) {
         if (given) {
-            throw Error(ExitCode::WrongUsage, std::string("--backend reference has no use for ") + option);
+            throw Error(ExitCode::WrongUsage, std::string("--backend reference does not support ") + option);
         }
     };
     refuse(!command.device.name.empty(), "--device");
@@ -71,7 +71,7 @@ void refuseDeviceOptions(const RenderCommand& command) {
     refuse(!command.dumps.empty(), "--dump");
 }
 
-// The command that shows a pixel's path in this render, but for the pixel and the pass.
+// The command that shows a pixel's path in this render, without the pixel and the pass.
 std::string inspectCommand(const RenderCommand& command) {
     std::string text = "hyalite inspect " + command.scene;
     for (const SceneSetting& setting : command.settings.shorthands) {
@@ -168,12 +168,12 @@ std::vector<std::string_view> integratorsThat(const Predicate& predicate) {
     return names;
 }
 
-// Whether this picture is the sum of several layers, and these are kept.
+// Whether this picture is the sum of several layers and the backend keeps them.
 bool hasLayers(const render::IntegratorKind& kind, const RenderSettings& settings, bool byReference) {
     return kind.layers(settings).size() > 1 && (!byReference || kind.referenceHasLayers);
 }
 
-// Options that have no use with this integrator or these outputs.
+// Rejects options that have no effect with this integrator or these outputs.
 void refuseUnused(const RenderCommand& command, const Scene& scene) {
     const render::IntegratorKind& integrator = render::integratorKind(scene);
     if (!integrator.keepsPhotons && !(command.savePhotons.empty() && command.loadPhotons.empty())) {
@@ -188,36 +188,34 @@ void refuseUnused(const RenderCommand& command, const Scene& scene) {
         const auto layered =
             integratorsThat([&](const auto& kind) { return hasLayers(kind, RenderSettings(), byReference); });
         throw Error(ExitCode::WrongUsage,
-                    "--layers has no use here: this picture is not a sum, and one pass has no error",
+                    "--layers has no effect here: the picture has no layers, and one pass gives no error estimate",
                     "integrators with layers" + std::string(byReference ? " in the reference" : "") + ": " +
-                        listOf(layered) + "; the error needs two passes");
+                        listOf(layered) + "; the error estimate needs two passes");
     }
     if (command.layers && !anyExr) {
-        throw Error(ExitCode::WrongUsage, "--layers has no use without an .exr file to write them to",
-                    "add -o FILE.exr");
+        throw Error(ExitCode::WrongUsage, "--layers needs an .exr file to write to", "add -o FILE.exr");
     }
     if (!command.savePhotons.empty()) {
         checkWritable(command.savePhotons);
     }
 }
 
-// A checkpoint is somebody's work: only --resume writes over one.
+// Only --resume overwrites an existing checkpoint.
 void checkCheckpoint(const RenderCommand& command) {
     if (command.checkpoint.empty()) {
         if (command.resume) {
-            throw Error(ExitCode::WrongUsage, "--resume has no use without the checkpoint to go on from",
-                        "add --checkpoint FILE");
+            throw Error(ExitCode::WrongUsage, "--resume needs a checkpoint to continue from", "add --checkpoint FILE");
         }
         return;
     }
     if (!command.resume && std::filesystem::exists(command.checkpoint)) {
-        throw Error(ExitCode::WrongUsage, SourceLocation{command.checkpoint}, "the checkpoint is there already",
-                    "go on from it with --resume, or remove it");
+        throw Error(ExitCode::WrongUsage, SourceLocation{command.checkpoint}, "the checkpoint already exists",
+                    "continue from it with --resume, or remove it");
     }
     checkWritable(command.checkpoint);
 }
 
-// --passes FIRST:END means those passes alone, with the numbers that they have in a render of all.
+// --passes FIRST:END renders only those passes, numbered as in a render of all passes.
 void splitPassRange(RenderCommand& command) {
     for (SceneSetting& setting : command.settings.shorthands) {
         const std::size_t colon =
@@ -229,14 +227,14 @@ void splitPassRange(RenderCommand& command) {
         const auto end = parseWhole(setting.value->substr(colon + 1));
         if (!first || !end || *first < 0 || *first >= *end || *end > std::numeric_limits<std::uint32_t>::max()) {
             throw Error(ExitCode::WrongUsage, SourceLocation{setting.option},
-                        "no range of passes: '" + *setting.value + "'",
-                        "write FIRST:END, as in 0:64; END is not in it");
+                        "invalid range of passes '" + *setting.value + "'",
+                        "write FIRST:END, e.g. 0:64 for passes 0 to 63");
         }
         command.firstPass = static_cast<std::uint32_t>(*first);
         setting.value = std::to_string(*end - *first);
     }
     if (command.firstPass > 0 && command.backend == "reference") {
-        throw Error(ExitCode::WrongUsage, "--backend reference has no use for a range of passes");
+        throw Error(ExitCode::WrongUsage, "--backend reference does not support a range of passes");
     }
 }
 
@@ -253,7 +251,7 @@ void renderScene(RenderCommand command, ExitCode& exit) {
     if (byReference) {
         reference::attachTwins(scene, twinSources(command.twins));
     } else if (!command.twins.empty()) {
-        throw Error(ExitCode::WrongUsage, "--backend vulkan has no use for --twins");
+        throw Error(ExitCode::WrongUsage, "--backend vulkan does not support --twins");
     }
     applySettings(scene, command.settings.given());
     if (command.outputs.empty()) {
@@ -289,8 +287,8 @@ void renderScene(RenderCommand command, ExitCode& exit) {
     }
     if (report.interrupted) {
         std::cerr << "hyalite: " << InterruptWatch::signal() << ": stopped after " << report.passes
-                  << (report.passes == 1 ? " pass" : " passes") << "; the picture so far is written"
-                  << (command.checkpoint.empty() ? "" : ", and --resume goes on from the checkpoint") << '\n';
+                  << (report.passes == 1 ? " pass" : " passes") << "; wrote the picture so far"
+                  << (command.checkpoint.empty() ? "" : "; --resume continues from the checkpoint") << '\n';
         exit = ExitCode::Interrupted;
     }
 }
@@ -304,19 +302,18 @@ void addRender(CLI::App& app, ExitCode& exit) {
     sub->add_option("-o,--output", command->outputs, "picture to write, .png or .exr; may be given several times");
     command->settings.addTo(*sub);
     CLI::Option* passes = sub->get_option("--passes");
-    passes->description(passes->get_description() + "; FIRST:END: a part of them, see merge");
+    passes->description(passes->get_description() + "; FIRST:END: only passes FIRST to END - 1, see hyalite merge");
     sub->get_option("--samples")->excludes("--passes");
-    sub->add_option("--backend", command->backend, "vulkan, or reference (CPU, double precision)")
+    sub->add_option("--backend", command->backend, "vulkan or reference (CPU, double precision)")
         ->check(CLI::IsMember({"vulkan", "reference"}));
     addTwinOption(*sub, command->twins);
     addDeviceOptions(*sub, command->device);
-    sub->add_option("--time", command->time, "stop when this many seconds of rendering would be exceeded")
+    sub->add_option("--time", command->time, "time limit for rendering [s]: stop before a pass that would exceed it")
         ->check(finiteNumber(/*zeroAllowed*/ false));
     sub->add_flag("--layers", command->layers,
-                  "write the parts that the picture is the sum of, and its standard error, into .exr files too");
-    sub->add_option("--checkpoint", command->checkpoint,
-                    "keep all that was rendered in this file, written now and then and at the end");
-    sub->add_flag("--resume", command->resume, "go on from the checkpoint, if it is there");
+                  "also write the layers that add up to the picture, and its standard error, into .exr files");
+    sub->add_option("--checkpoint", command->checkpoint, "save the passes to this file, periodically and at the end");
+    sub->add_flag("--resume", command->resume, "continue from the checkpoint if it exists");
     sub->add_option("--checkpoint-every", command->checkpointEvery, "seconds between checkpoints (60)")
         ->check(finiteNumber(/*zeroAllowed*/ true))
         ->needs("--checkpoint");
@@ -324,10 +321,10 @@ void addRender(CLI::App& app, ExitCode& exit) {
     sub->add_option("--load-photons", command->loadPhotons,
                     "photonmap: read the photon maps from this file instead of tracing them");
     sub->add_option("--dump", command->dumps,
-                    "write an array that a stage works on, after its first dispatch (or @N: number N), to "
+                    "write an array that a stage uses, after its first dispatch (@N: dispatch N), to "
                     "STAGE.FIELD.npy, e.g. trace_closest:hits.t")
         ->type_name("STAGE:FIELD[@N]");
-    sub->add_flag("--profile", command->profile, "print tables of the stages' times and of the buffers' sizes");
+    sub->add_flag("--profile", command->profile, "print tables of stage times and buffer sizes");
     sub->add_flag("--json", command->json, "print one JSON object instead of text");
     sub->add_flag("--quiet", command->quiet, "print nothing but errors");
     sub->callback([command, &exit] { renderScene(*command, exit); });

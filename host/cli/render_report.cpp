@@ -189,7 +189,7 @@ std::string memoryTable(const RenderReport& report) {
         }
     }
     table << std::left << std::setw(24) << "all buffers" << std::right << std::setw(10) << mebibytes(total)
-          << "  (those of less than 1 % are not listed)\n";
+          << "  (buffers below 1 % are not listed)\n";
     return table.str();
 }
 

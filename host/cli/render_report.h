@@ -1,4 +1,4 @@
-// What a render says of itself afterwards: a line, a table of stages, or one JSON object.
+// The report of a render: a line, tables (--profile), or one JSON object.
 #pragma once
 
 #include "base/error.h"
@@ -21,12 +21,12 @@ struct RenderReport {
     glm::uvec2 resolution{0};
     std::vector<std::string> outputs;
     std::uint32_t passes = 0;
-    std::uint32_t resumedFrom = 0; // of these, so many were in the checkpoint
+    std::uint32_t resumedFrom = 0; // number of these passes that the checkpoint held
     bool interrupted = false;
     std::optional<Error> checkpointFailure;
     std::optional<double> errorEstimate; // see docs/metrics.md
-    double targetError = 0;              // asked for; 0: none
-    double totalSeconds = 0;             // from start to written files
+    double targetError = 0;              // requested; 0: none
+    double totalSeconds = 0;             // from the start until the files are written
     double setupSeconds = 0;
     double renderSeconds = 0;
     std::optional<render::Counts> counts; // the reference does not count
@@ -35,23 +35,23 @@ struct RenderReport {
     std::map<std::string, gpu::StageTime> stages;
 };
 
-// Whether the estimated error is no larger than what was asked for.
+// Whether the estimated error is at most the target.
 [[nodiscard]] bool targetErrorMet(const RenderReport& report);
 
-// Adds a warning where it is larger.
+// Adds a warning if the target was missed.
 void warnOfTarget(RenderReport& report);
 
-// For the end of the summary, e.g. ", estimated error 0.0312 (target 0.05 met)"; empty where there is no estimate.
+// The end of the summary line, e.g. ", estimated error 0.0312 (target 0.05 met)"; empty without an estimate.
 [[nodiscard]] std::string errorText(const RenderReport& report);
 
-// What .exr files say of their making.
+// The metadata of .exr files.
 [[nodiscard]] Metadata pictureMetadata(const RenderReport& report);
 
-// Writes the picture to every file; `layers`: and what it is the sum of, and its error, to those that hold layers.
+// Writes the picture to every file; `layers`: also its layers and its error to files that can hold layers.
 void writePictures(const std::vector<std::string>& outputs, const LayeredImage& image, bool layers,
                    const Metadata& metadata);
 
-// Warnings on stderr, the rest on stdout.
+// Prints warnings on stderr, the rest on stdout.
 struct ReportStyle {
     bool json = false;
     bool profile = false;
@@ -61,16 +61,16 @@ void printReport(const RenderReport& report, const ReportStyle& style);
 
 [[nodiscard]] std::string jsonReport(const RenderReport& report);
 
-// Stages by falling share: seconds, share of all stages, dispatches, nanoseconds a thread.
+// Stages by decreasing time: seconds, share of all stages, dispatches, nanoseconds per thread.
 [[nodiscard]] std::string stageTable(const RenderReport& report);
 
-// Buffers by falling size.
+// Buffers by decreasing size.
 [[nodiscard]] std::string memoryTable(const RenderReport& report);
 
-// What became of the flux of each light [W]; empty where no account was kept.
+// Where the flux of each light went [W]; empty without such an account.
 [[nodiscard]] std::string lightTable(const RenderReport& report);
 
-// The counters (render/film/counts.h) that are not zero, a line each; empty where nothing was counted.
+// The nonzero counters (render/film/counts.h), a line each; empty without counters.
 [[nodiscard]] std::string countTable(const RenderReport& report);
 
 } // namespace hyalite::cli

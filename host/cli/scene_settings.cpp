@@ -14,7 +14,7 @@ std::string helpOf(const SceneSetting& shorthand) {
             continue;
         }
         if (setting.option != shorthand.option) {
-            return "the same as " + std::string(setting.option);
+            return "same as " + std::string(setting.option);
         }
         std::string words;
         for (const std::string_view word : setting.doc.words) {

@@ -1,4 +1,4 @@
-// Options of the command line that set keys of the scene file: they come from the table of settings.
+// Command line options that set keys of the scene file; made from the table of settings.
 #pragma once
 
 #include "scene/yaml/settings.h"
@@ -15,32 +15,29 @@ class App;
 
 namespace hyalite::cli {
 
-// An option that stands for a key of the scene file.
+// An option that sets one key of the scene file.
 struct SceneSetting {
     std::string option; // e.g. "--photons"
     std::string key;    // "render.photons"
     std::optional<std::string> value = {};
 };
 
-// What a command is told about settings: options that stand for a key, and --set.
+// A command's options for settings: one option per key, and --set.
 struct SettingOptions {
     std::vector<SceneSetting> shorthands;
     std::vector<std::string> assignments; // key=value
 
-    // The shorthands are those of the table of settings, without the options named.
+    // Takes the options of the table of settings, except those in `without`.
     explicit SettingOptions(std::initializer_list<std::string_view> without = {});
 
-    // Adds all options to the command; they write into this object, which must outlive the parsing.
+    // Adds all options to the command. They write into this object, which must outlive the parsing.
     void addTo(CLI::App& app);
 
-    // The shorthands that were given, then the assignments. Throws Error(WrongUsage) where one has no value.
+    // The given options, then the assignments of --set. Throws Error(WrongUsage) if one has no value.
     [[nodiscard]] std::vector<SettingAssignment> given() const;
 };
 
-// "render.radius=0.01" of --set. Throws Error(WrongUsage) where it has no value.
+// Parses an argument of --set, e.g. "render.radius=0.01". Throws Error(WrongUsage) if it has no value.
 [[nodiscard]] SettingAssignment parseAssignment(const std::string& text);
-
-// "ppm (progressive photon mapping), … or path (path tracing, unbiased)".
-[[nodiscard]] std::string integratorHelp();
 
 } // namespace hyalite::cli

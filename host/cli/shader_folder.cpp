@@ -14,9 +14,9 @@ bool holdsShaders(const std::filesystem::path& folder) {
            std::filesystem::is_directory(folder / "shared", ignored);
 }
 
-// share/hyalite beside the folder that the program stands in.
+// The folder share/hyalite next to the folder of the program.
 std::filesystem::path installedFolder() {
-    std::error_code ignored; // then it names nothing that is there
+    std::error_code ignored; // on failure the result names no existing folder
     const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
     return program.parent_path().parent_path() / "share/hyalite";
 }
@@ -27,7 +27,7 @@ std::filesystem::path findShaders(const std::string& given) {
     if (!given.empty()) {
         if (!holdsShaders(given)) {
             throw Error(ExitCode::WrongUsage, given + " is not a folder of shaders",
-                        "it should hold the folders kernels, lib and shared");
+                        "it must contain the folders kernels, lib and shared");
         }
         return given;
     }
@@ -39,9 +39,8 @@ std::filesystem::path findShaders(const std::string& given) {
         return HYALITE_SHADER_DIR;
     }
     throw Error(ExitCode::WrongUsage,
-                "the shaders folder is gone: neither " + installed.string() + " nor " + HYALITE_SHADER_DIR +
-                    " is there",
-                "name it with --shaders DIR");
+                "no folder of shaders found: neither " + installed.string() + " nor " + HYALITE_SHADER_DIR + " is one",
+                "give it with --shaders DIR");
 }
 
 std::filesystem::path shippedKernels() {

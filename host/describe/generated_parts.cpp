@@ -58,7 +58,7 @@ std::size_t endOfObject(const std::string& json, std::size_t start) {
             return i + 1;
         }
     }
-    throw Error(ExitCode::BadInput, "the JSON schema is cut off");
+    throw Error(ExitCode::BadInput, "the JSON schema ends inside an object");
 }
 
 } // namespace
@@ -99,7 +99,7 @@ std::string typeTable(std::span<const MapDoc> types) {
         for (const KeyDoc& key : type.keys) {
             table += row({name, '`' + std::string(key.name) + '`', typeText(key), std::string(key.range.unit),
                           std::string(key.defaultText), rangeText(key), std::string(key.text)});
-            name.clear(); // said once
+            name.clear(); // only in the first row
         }
     }
     return table;
@@ -110,7 +110,7 @@ std::string withGenerated(const std::string& text, const std::string& name, cons
     const std::size_t start = text.find(mark);
     const std::size_t end = start == std::string::npos ? start : text.find("<!-- end -->", start);
     if (end == std::string::npos) {
-        throw Error(ExitCode::BadInput, "no lines between <!-- generated: " + name + " --> and <!-- end -->");
+        throw Error(ExitCode::BadInput, "missing marks <!-- generated: " + name + " --> and <!-- end -->");
     }
     return text.substr(0, start + mark.size()) + part + text.substr(end);
 }
@@ -146,7 +146,7 @@ std::string definition(const MapDoc& map) {
 }
 
 std::string withDefinition(const std::string& schema, const std::string& name, const std::string& part) {
-    const std::string head = "\n    \"" + name + "\": {"; // the file has the definitions indented so
+    const std::string head = "\n    \"" + name + "\": {"; // the indentation of definitions in the file
     const std::size_t definitions = schema.find("\"$defs\"");
     const std::size_t start = definitions == std::string::npos ? definitions : schema.find(head, definitions);
     if (start == std::string::npos) {

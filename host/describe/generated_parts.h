@@ -1,4 +1,4 @@
-// Puts generated text into files that people write the rest of.
+// Inserts generated text into otherwise hand-written files.
 #pragma once
 
 #include "scene/yaml/key_doc.h"
@@ -9,22 +9,22 @@
 
 namespace hyalite::describe {
 
-// A table in Markdown: a row a key, and its meaning last. `extra`: a column before it, a text for each key, headed
-// `extraHead`; none if that is empty.
+// A Markdown table with a row per key; the last column is its meaning. `extra`: a column before it with a text per key
+// and the heading `extraHead`; no such column if that is empty.
 [[nodiscard]] std::string keyTable(std::span<const KeyDoc> keys, const std::string& extraHead = {},
                                    const std::vector<std::string>& extra = {});
 
-// One table of all types of a group, such as the lights: a row for each key, behind the type that it belongs to.
+// One table of all types of a group, such as the lights: a row for each key, with its type in the first column.
 [[nodiscard]] std::string typeTable(std::span<const MapDoc> types);
 
-// `text` with the lines between <!-- generated: NAME --> and the next <!-- end --> replaced. Throws Error(BadInput)
-// where the marks are missing.
+// `text` with the lines between <!-- generated: NAME --> and the next <!-- end --> replaced. Throws Error(BadInput) if
+// the marks are missing.
 [[nodiscard]] std::string withGenerated(const std::string& text, const std::string& name, const std::string& part);
 
-// The JSON schema of a map, as it stands after "NAME": in #/$defs.
+// The JSON schema of a map: the text after "NAME": in #/$defs.
 [[nodiscard]] std::string definition(const MapDoc& map);
 
-// `schema` with the definition NAME replaced. Throws Error(BadInput) where there is none yet.
+// `schema` with the definition NAME replaced. Throws Error(BadInput) if the schema has no such definition.
 [[nodiscard]] std::string withDefinition(const std::string& schema, const std::string& name, const std::string& part);
 
 } // namespace hyalite::describe

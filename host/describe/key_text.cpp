@@ -18,7 +18,7 @@ bool hasBounds(const Range& range) {
     return range.low != 0 || range.high != 0;
 }
 
-// Every coordinate is held to this range: tables need not say it.
+// Every coordinate has this range, so the tables omit it.
 bool isAnyCoordinate(const KeyDoc& key) {
     return key.type == KeyType::Vector && key.range.low == -kLargestLength && key.range.high == kLargestLength;
 }
@@ -57,7 +57,7 @@ std::string wordsSchema(std::span<const std::string_view> words) {
     return "\"enum\": [" + schema + ']';
 }
 
-// What the value must be, without braces.
+// The schema of the key's value, without braces.
 std::string valueSchema(const KeyDoc& key) {
     switch (key.type) {
     case KeyType::Number:
@@ -86,7 +86,7 @@ std::string valueSchema(const KeyDoc& key) {
     return open == std::string_view::npos ? "" : std::string(key.schema.substr(open + 1, close - open - 1));
 }
 
-// The default as JSON; empty where it is none.
+// The default as JSON; empty if it is not JSON.
 std::string defaultSchema(const KeyDoc& key) {
     const std::string_view text = key.defaultText;
     if (key.type == KeyType::Word) {

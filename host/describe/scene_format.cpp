@@ -11,11 +11,11 @@
 namespace hyalite::describe {
 namespace {
 
-// The rows of a section of settings. Their defaults are what the structs hold, unless a row words it better.
+// The rows of a section of settings. The default of a key is the struct's initial value, unless the row has a text.
 struct SectionKeys {
     std::vector<KeyDoc> keys;
-    std::vector<std::string> integrators; // that read each key
-    std::deque<std::string> defaults;     // what `keys` refer to
+    std::vector<std::string> integrators; // for each key, the integrators that read it
+    std::deque<std::string> defaults;     // storage that `keys` refer to
 
     explicit SectionKeys(Section section) {
         const Settings untouched;
@@ -41,7 +41,7 @@ struct SectionKeys {
     }
 };
 
-// The integrator says which depths are allowed; the default one is among those that count a path's segments.
+// The rules for max_depth by integrator. Without `integrator`, the default one counts a path's segments.
 std::string depthRules() {
     std::string trees;
     for (const IntegratorRow& row : kIntegrators) {

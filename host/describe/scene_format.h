@@ -1,5 +1,5 @@
-// The parts of the JSON schema and of docs/scene-format.md that follow from the program: written by
-// describe_scene_format, and compared with the files by a test.
+// The generated parts of the JSON schema and of docs/scene-format.md. describe_scene_format writes them; a test
+// compares them with the files.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ inline constexpr const char* kSchemaFile = "scenes/hyalite.schema.json";
 inline constexpr const char* kDocsFile = "docs/scene-format.md";
 inline constexpr const char* kUpdateCommand = "cmake --build --preset release --target scene_format";
 
-// The files as they should be, made of their present text. Throw Error(BadInput) where that has no place for a part.
+// The given file's text with its generated parts up to date. Throw Error(BadInput) if the place of a part is missing.
 [[nodiscard]] std::string describedSchema(std::string schema);
 [[nodiscard]] std::string describedDocs(std::string markdown);
 

@@ -1,4 +1,4 @@
-// Reading a key as its row describes it: the range of the row is the range that is checked.
+// Reads a key as its row describes it: checks the value against the range of the row.
 #pragma once
 
 #include "scene/yaml/key_doc.h"
@@ -10,7 +10,8 @@
 
 namespace hyalite::kinds {
 
-// The value of the key, put into `out`; an absent key leaves it as it is unless it is required. Throws Error(BadInput).
+// Reads the value of the key into `out`. An absent key leaves `out` unchanged, or throws if it is required.
+// Throws Error(BadInput).
 template <class T>
 void readKey(Reader& reader, const KeyDoc& key, T& out) {
     const auto value = key.required ? std::optional(reader.require(key.name)) : reader.find(key.name);

@@ -84,7 +84,7 @@ class Parts(CheckpointTest):
     def test_ranges_that_are_none_are_refused(self):
         self.write("scene.yaml", SCENE)
         for passes in ("3:3", "4:1", ":4", "2:", "-1:4", "0:4294967296"):
-            self.assert_refused(USAGE, ["no range of passes"], ["render", "scene.yaml", f"--passes={passes}"])
+            self.assert_refused(USAGE, ["invalid range of passes"], ["render", "scene.yaml", f"--passes={passes}"])
 
 
 class Files(CheckpointTest):
@@ -95,10 +95,10 @@ class Files(CheckpointTest):
 
     def test_a_checkpoint_is_written_over_by_nobody_but_who_goes_on_from_it(self):
         kept = ["--checkpoint", "kept"]
-        self.assert_refused(USAGE, ["kept: the checkpoint is there already", "--resume"],
+        self.assert_refused(USAGE, ["kept: the checkpoint already exists", "--resume"],
                             ["render", "scene.yaml", *kept])
-        self.assert_refused(USAGE, ["kept: the checkpoint is there already"], ["merge", "kept", *kept])
-        self.assert_refused(USAGE, ["--resume has no use"], ["render", "scene.yaml", "--resume"])
+        self.assert_refused(USAGE, ["kept: the checkpoint already exists"], ["merge", "kept", *kept])
+        self.assert_refused(USAGE, ["--resume needs a checkpoint"], ["render", "scene.yaml", "--resume"])
         self.assert_refused(USAGE, ["--checkpoint"], ["render", "scene.yaml", "--backend", "reference", *kept])
         self.assert_refused(USAGE, ["nothing to write"], ["merge", "kept"])
         self.assert_refused(OUTPUT, ["no/kept"], ["render", "scene.yaml", "--checkpoint", "no/kept"])

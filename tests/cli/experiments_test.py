@@ -98,7 +98,7 @@ class CustomCode(CliTest):
         for twin, words in (("gone.so", ["gone.so: cannot load the twin: "]), ("text.so", ["text.so: cannot load the twin: "])):
             for command in (["render", "scene.yaml", "--backend", "reference"], ["parity", "scene.yaml"]):
                 self.assert_refused(USAGE, words, [*command, "--twins", twin])
-        self.assert_refused(USAGE, ["--backend vulkan has no use for --twins"], ["render", "scene.yaml", "--twins", own])
+        self.assert_refused(USAGE, ["--backend vulkan does not support --twins"], ["render", "scene.yaml", "--twins", own])
 
     def test_the_reference_and_parity_say_that_there_is_no_twin(self):
         self.write("quarter.glsl", "vec3 quarter(vec3 p, vec2 uv, vec4 k) { return vec3(0.25); }\n")

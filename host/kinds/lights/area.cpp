@@ -19,7 +19,7 @@ constexpr KeyDoc kEmission{
     .type = KeyType::Color,
     .range = kRadiance,
     .defaultText = "0",
-    .text = "radiance of the front; quads, disks, meshes (the teapot too) and spheres (as long as no "
+    .text = "radiance of the front; only quads, disks, meshes (including the teapot) and spheres (unless a "
             "transform makes them ellipsoids)"};
 constexpr std::array kKeys{kEmission, kPhotonShare};
 
@@ -80,7 +80,7 @@ shared::LightRecord meshRecord(const Scene& scene, const MeshInstance& instance,
     }
     shared::LightRecord r = surface(shared::kLightMesh, appendCdf(table.cdfs, areas), object.emission);
     r.columns = static_cast<std::uint32_t>(areas.size());
-    r.error = static_cast<float>(0x1p-19 * reach); // as for hits of triangles, see shapes/surface.glsl
+    r.error = static_cast<float>(0x1p-19 * reach); // as for triangle hits, see shapes/surface.glsl
     r.triangles.address = first * sizeof(shared::LightTriangle);
     r.cdfs.address = firstCdf * sizeof(float);
     return r;
@@ -107,7 +107,7 @@ shared::LightRecord record(const Scene& scene, const Object& object, LightTable&
         return meshRecord(scene, *instance, object, table);
     }
     throw Error(ExitCode::BadInput, object.where, "only quads, disks, spheres and meshes emit light",
-                "give the emission to one of these");
+                "use one of these shapes");
 }
 
 void addRecords(const Scene& scene, LightTable& table) {

@@ -11,15 +11,15 @@ namespace hyalite::kinds {
 
 struct Emission {
     glm::dvec3 radiance{0};                    // of the front [W/(m^2 sr)]
-    double photonShare = 1;                    // weight of the power in the choice of lights
-    std::optional<Value> where = std::nullopt; // of the key `emission`; none: it is not written
+    double photonShare = 1;                    // factor of the power in light selection
+    std::optional<Value> where = std::nullopt; // the key `emission`; nullopt: it is absent
 };
 
-// The two keys of an object. Throws Error(BadInput).
+// Reads the two keys of an object. Throws Error(BadInput).
 [[nodiscard]] Emission readEmission(Reader& reader);
 
-// Throws Error(BadInput) at `emission` where an object of this shape cannot emit: spheres that a transform has made
-// ellipsoids cannot.
+// Throws Error(BadInput) at `emission` if an object of this shape cannot emit; a sphere that a transform made an
+// ellipsoid cannot.
 void checkEmission(const Value& emission, const Shape& shape, const Scene& scene);
 
 } // namespace hyalite::kinds

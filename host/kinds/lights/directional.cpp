@@ -11,20 +11,20 @@ constexpr KeyDoc kTo{.name = "direction",
                      .type = KeyType::Vector,
                      .range = kDirection,
                      .required = true,
-                     .text = "where the light goes, of any length but 0"};
+                     .text = "in which the light travels, any nonzero length"};
 constexpr KeyDoc kStrength{.name = "irradiance",
                            .type = KeyType::Color,
                            .range = kIrradiance,
                            .defaultText = "1",
-                           .text = "of a surface that faces the light, not all 0",
+                           .text = "irradiance of a surface that faces the light, not all 0",
                            .rangeText = "[0, 1e12], not all 0"};
 constexpr KeyDoc kRadius{
-    .name = "radius", .range = kLength, .defaultText = "none: the light is everywhere", .text = "of a beam"};
+    .name = "radius", .range = kLength, .defaultText = "none: light everywhere", .text = "radius of a beam"};
 constexpr KeyDoc kCenter{.name = "center",
                          .type = KeyType::Vector,
                          .range = kCoordinate,
                          .defaultText = "[0, 0, 0]",
-                         .text = "of the disc where a beam starts; only with `radius`"};
+                         .text = "centre of the disc where a beam starts; only with `radius`"};
 constexpr std::array kKeys{kTo, kStrength, kRadius, kCenter, kPhotonShare};
 
 void read(Reader& reader, const std::filesystem::path& /*folder*/, Scene& scene) {
@@ -38,8 +38,7 @@ void read(Reader& reader, const std::filesystem::path& /*folder*/, Scene& scene)
     }
     if (center) {
         if (!light.beam) {
-            center->fail("a 'center' without a 'radius'",
-                         "with both, the light is a beam; with neither, it is everywhere");
+            center->fail("'center' needs a 'radius'", "with both, the light is a beam; with neither, it is everywhere");
         }
         center->read(light.beam->center, kCenter.range);
     }
@@ -76,8 +75,8 @@ constinit const LightKind kDirectionalLight{
          .schemaName = "directionalLight",
          .text =
              "*Directional* light comes from beyond the scene and lights all of it. With a `radius` it is a beam: it "
-             "starts at a disc about `center`, across the direction, and lights what is before the disc and no "
-             "farther from the axis than `radius`; its power is `irradiance` times π `radius`².",
+             "starts at a disc about `center`, perpendicular to the direction, and lights what is in front of the disc "
+             "within `radius` of the axis; its power is `irradiance` times π `radius`².",
          .keys = kKeys,
          .rules = R"({"dependentRequired": {"center": ["radius"]}})"},
     .read = read,

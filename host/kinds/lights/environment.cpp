@@ -1,4 +1,4 @@
-// Light from beyond the scene by an image: shaders/lights/environment.glsl, host/reference/lights/environment.cpp.
+// Light from an image around the scene: shaders/lights/environment.glsl, host/reference/lights/environment.cpp.
 #include "kinds/lights/environment.h"
 
 #include "image/image_io.h"
@@ -24,7 +24,7 @@ constexpr KeyDoc kColor{.name = "radiance",
                         .type = KeyType::Color,
                         .range = kRadiance,
                         .defaultText = "1",
-                        .text = "the same from everywhere, in place of an `image`; not all 0",
+                        .text = "uniform radiance, instead of an `image`; not all 0",
                         .rangeText = "[0, 1e12], not all 0"};
 constexpr KeyDoc kScale{.name = "scale",
                         .range = {0, kLargestEmission},
@@ -34,10 +34,10 @@ constexpr KeyDoc kScale{.name = "scale",
 constexpr KeyDoc kRotation{.name = "rotation",
                            .range = {-1e6, 1e6, true, true, "degrees"},
                            .defaultText = "0",
-                           .text = "about +y, counter-clockwise seen from above"};
+                           .text = "rotation about +y, counter-clockwise seen from above"};
 constexpr std::array kKeys{kImage, kColor, kScale, kRotation, kPhotonShare};
 
-// Its pixels, each fit to be a radiance.
+// Reads the image and checks that every pixel is a valid radiance.
 Image readMap(const Value& file, const std::filesystem::path& folder) {
     const std::filesystem::path path = folder / file.text();
     Image image;
@@ -47,14 +47,14 @@ Image readMap(const Value& file, const std::filesystem::path& folder) {
         file.fail(path.string() + ": " + error.message(), error.hint());
     }
     if (countNotFinite(image) > 0) {
-        file.fail("this image holds values that are not finite");
+        file.fail("the image has values that are not finite");
     }
     const auto isNegative = [](const glm::vec3& c) { return c.x < 0 || c.y < 0 || c.z < 0; };
     if (std::any_of(image.pixels.begin(), image.pixels.end(), isNegative)) {
-        file.fail("this image holds negative values", "radiance is never below 0");
+        file.fail("the image has negative values", "radiance must be at least 0");
     }
     if (std::all_of(image.pixels.begin(), image.pixels.end(), [](const glm::vec3& c) { return c == glm::vec3(0); })) {
-        file.fail("this image is black", "leave the environment out");
+        file.fail("the image is black", "remove the environment");
     }
     return image;
 }
@@ -65,7 +65,7 @@ void read(Reader& reader, const std::filesystem::path& folder, Scene& scene) {
     const auto image = reader.find(kImage.name);
     const auto radiance = reader.find(kColor.name);
     if (image && radiance) {
-        radiance->fail("both 'image' and 'radiance'", "an environment has one of them");
+        radiance->fail("'image' and 'radiance' exclude each other", "remove one of them");
     }
     const auto scale = reader.find(kScale.name);
     if (scale) {
@@ -73,7 +73,7 @@ void read(Reader& reader, const std::filesystem::path& folder, Scene& scene) {
     }
     readKey(reader, kRotation, environment.rotation);
     readKey(reader, kPhotonShare, environment.photonShare);
-    reader.finish(); // before a large file is read for nothing
+    reader.finish(); // report a wrong key before reading a large file
     if (image) {
         environment.image = readMap(*image, folder);
     } else {
@@ -111,7 +111,7 @@ shared::LightRecord record(const Scene& scene, const Environment& environment, L
     r.cdfs.address = table.cdfs.size() * sizeof(float);
     r.texels.address = table.texels.size() * sizeof(vec3);
 
-    // A row's texels have the solid angle 2 pi / columns times the difference of the cosines at its edges
+    // The solid angle of a row's texel is 2 pi / columns times the difference of the cosines at the row's edges
     dvec3 integral(0);
     std::vector<double> rowWeights;
     std::vector<float> columnCdfs;
@@ -145,7 +145,7 @@ void addRecords(const Scene& scene, LightTable& table) {
 
 void checkFirstEnvironment(const Reader& reader, const Scene& scene) {
     if (scene.environment) {
-        reader.map().fail("a second environment", "a scene has at most one");
+        reader.map().fail("a scene has at most one environment", "remove this one or the first");
     }
 }
 
@@ -154,10 +154,10 @@ constinit const LightKind kEnvironmentLight{
         {.type = "environment",
          .schemaName = "environment",
          .text =
-             "An *environment* surrounds the scene, at most one of them. Its image is equirectangular: azimuth from "
-             "left to right, the middle seen along -z, the right quarter along +x, +y at the upper edge. Radiance is "
-             "constant over each pixel. Rays that hit nothing see it; photons and light samples go by the mean of "
-             "the three channels. PNG files are taken as sRGB.",
+             "An *environment* surrounds the scene; a scene has at most one. Its image is equirectangular: azimuth "
+             "from left to right, the centre in direction -z, the right quarter in direction +x, +y at the upper edge. "
+             "Radiance is constant over each pixel. Rays that hit nothing see it; photons and light samples are "
+             "distributed by the mean of the three channels. PNG files are read as sRGB.",
          .keys = kKeys,
          .rules = R"({"not": {"required": ["image", "radiance"]}})"},
     .read = read,

@@ -1,4 +1,4 @@
-// What makes an environment of the scene.
+// A check shared by the lights that become the scene's environment.
 #pragma once
 
 #include "scene/model/scene.h"
@@ -6,8 +6,7 @@
 
 namespace hyalite::kinds {
 
-// A scene has at most one environment. Throws Error(BadInput) at the light that `reader` reads where it has one
-// already.
+// Throws Error(BadInput) at the light that `reader` reads if the scene already has an environment.
 void checkFirstEnvironment(const Reader& reader, const Scene& scene);
 
 } // namespace hyalite::kinds

@@ -1,5 +1,5 @@
-// A type of light in one row: what it is in the scene file, how it is read, its records on the device and which light
-// of the reference it is. One file a type; the list is light_kinds.h.
+// A light type as one row: its description for the scene file, its reader, its device records and the matching light of
+// the reference. One file per type; light_kinds.h lists them.
 #pragma once
 
 #include "kinds/lights/light_table.h"
@@ -17,10 +17,11 @@
 namespace hyalite::kinds {
 
 struct LightKind {
-    MapDoc doc; // no type: no item of `lights` but what makes an object a light
+    MapDoc doc; // empty type: not an item of `lights` but the keys that make an object a light
 
-    // One item of `lights`, added to the scene; paths are relative to `folder`. It may add lights of other kinds: then
-    // the members below are empty. Null for what is no item of `lights`. Throws Error(BadInput).
+    // Reads one item of `lights` and adds it to the scene; paths are relative to `folder`. It may instead add lights of
+    // other kinds; then the members below are null. Null itself if the kind is not an item of `lights`.
+    // Throws Error(BadInput).
     void (*read)(Reader& reader, const std::filesystem::path& folder, Scene& scene) = nullptr;
 
     // Appends the records of the scene's lights of this kind, in the scene's order. Throws Error(BadInput).
@@ -30,7 +31,7 @@ struct LightKind {
     std::optional<std::size_t> reference = std::nullopt;
 };
 
-// Where the type stands in the variant of the reference's lights.
+// Index of the type in the variant of the reference's lights.
 template <class Shape, std::size_t at = 0>
 [[nodiscard]] constexpr std::size_t referenceLight() {
     using Shapes = decltype(reference::Light::shape);
@@ -41,24 +42,24 @@ template <class Shape, std::size_t at = 0>
     }
 }
 
-// Ranges of what lights emit.
+// Ranges of light strengths.
 inline constexpr Range kIntensity{0, kLargestEmission, true, true, "W/sr"};
 inline constexpr Range kIrradiance{0, kLargestEmission, true, true, "W/m^2"};
 inline constexpr Range kRadiance{0, kLargestEmission, true, true, "W/(m^2 sr)"};
 
-// Every light has this key, objects that emit too.
+// Every light and every emitting object has this key.
 inline constexpr KeyDoc kPhotonShare{.name = "photon_share",
                                      .range = {1e-3, 1e3},
                                      .defaultText = "1",
-                                     .text = "weight of the power in the choice of lights: 2 doubles the light's share "
+                                     .text = "factor of the power in light selection: 2 doubles the light's share "
                                              "of photons and light samples"};
 
-// A light without light is a mistake.
+// Reports a light that emits nothing.
 [[noreturn]] inline void failDark(const Value& where, const KeyDoc& key) {
-    where.fail("this light is dark", "give it an " + std::string(key.name) + " above 0 or leave it out");
+    where.fail("this light emits nothing", "give it an " + std::string(key.name) + " above 0 or remove it");
 }
 
-// The strength of a light: a colour that is not black.
+// Reads the strength of a light: a colour that is not black.
 inline void readStrength(Reader& reader, const KeyDoc& key, glm::dvec3& out) {
     readKey(reader, key, out);
     if (out == glm::dvec3(0)) {

@@ -1,5 +1,5 @@
-// The list of lights. A new type of light is a file beside this one and a row here; one that needs the kernels has a
-// file in shaders/lights and one in host/reference/lights too, each with a line in its list.
+// The list of lights. To add a light type, add a file next to this one and a row here. If it needs its own sampling,
+// also add a file in shaders/lights and one in host/reference/lights, each with a line in its list.
 #pragma once
 
 #include "kinds/lights/light_kind.h"

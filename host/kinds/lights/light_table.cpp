@@ -24,7 +24,7 @@ double appendCdf(std::vector<float>& cdfs, const std::vector<double>& weights) {
         sum += total > 0 ? weight / total : 1.0 / static_cast<double>(weights.size());
         cdfs.push_back(static_cast<float>(sum));
     }
-    cdfs.back() = 1; // not a rounding error less
+    cdfs.back() = 1; // remove the rounding error
     return total;
 }
 

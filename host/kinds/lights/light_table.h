@@ -11,36 +11,37 @@
 
 namespace hyalite::kinds {
 
-// Lights in the order of their kinds (light_kinds.h), each in the scene's order; pmf in
-// proportion to the mean of the flux's channels times the photon share. Until setAddresses, the arrays that a light
-// names are byte offsets.
+// Lights in the order of their kinds (light_kinds.h), within a kind in the scene's order. A light's pmf is proportional
+// to the mean of its flux's channels times its photon share. Until setAddresses, the array addresses of a light are
+// byte offsets.
 struct LightTable {
     std::vector<shared::LightRecord> lights;
-    std::vector<double> weights; // of each light in the choice of lights: mean flux [W] times photon share
+    std::vector<double> weights; // selection weight of each light: mean flux [W] times photon share
     std::vector<shared::LightTriangle> triangles;
     std::vector<glm::vec3> texels;  // environment, scaled [W/(m^2 sr)]
     std::vector<float> cdfs;        // see LightRecord
-    std::uint32_t firstEmitter = 0; // the light that is the first emitting object
+    std::uint32_t firstEmitter = 0; // index of the first light that is an emitting object
 
     void add(const shared::LightRecord& light, double photonShare);
 };
 
 [[nodiscard]] double channelMean(const glm::dvec3& color);
 
-// Appends the sums of the weights up to and including each, over the sum of all; evenly where all are 0. Returns that
-// sum.
+// Appends the inclusive prefix sums of the weights, divided by their total; a uniform CDF if all are 0. Returns the
+// total.
 double appendCdf(std::vector<float>& cdfs, const std::vector<double>& weights);
 
-// The disc where photons of light from a disc start; `distance` of it from the light's position, against the light [m].
+// Sets the disc where the light's photons start: its radius, and its `distance` from the light's position, against the
+// direction of the light [m].
 void setStartDisc(shared::LightRecord& light, double radius, double distance);
 
-// A light of this type from beyond the scene: its photons start on discs that cover the scene.
+// A light of this type from beyond the scene; its photons start on discs that cover the scene.
 [[nodiscard]] shared::LightRecord endlessLight(const Scene& scene, std::uint32_t type);
 
-// Throws Error(BadInput) where an object emits that cannot.
+// Throws Error(BadInput) if an emitting object has a shape that cannot emit.
 [[nodiscard]] LightTable buildLightTable(const Scene& scene);
 
-// Moves the arrays that the lights name to where these stand on the device.
+// Turns the byte offsets in the lights into device addresses.
 void setAddresses(std::vector<shared::LightRecord>& lights, shared::LightTriangleArray triangles,
                   shared::RadianceArray texels, shared::CdfArray cdfs);
 

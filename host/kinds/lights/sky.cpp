@@ -1,5 +1,5 @@
-// The sky by day with its sun and the ground below [Preetham99]. It has no light of its own on the device: it makes an
-// environment, and a sun that is a disc of that or a directional light.
+// Daylight sky with sun and ground [Preetham99]. It has no light type on the device: it becomes an environment, with
+// the sun as a disc in it or as a directional light.
 #include "kinds/lights/environment.h"
 #include "kinds/lights/light_kinds.h"
 #include "kinds/lights/sky_model.h"
@@ -22,36 +22,36 @@ constexpr KeyDoc kSun{.name = "sun",
                       .type = KeyType::Vector,
                       .range = kDirection,
                       .required = true,
-                      .text = "towards the sun, of any length but 0; above the horizon: y > 0"};
+                      .text = "direction towards the sun, any nonzero length; above the horizon: y > 0"};
 constexpr KeyDoc kTurbidity{.name = "turbidity",
                             .range = {2, 10},
                             .defaultText = "3",
-                            .text =
-                                "extinction by haze and air over that by air alone: 2 very clear, 3 clear, 10 hazy"};
+                            .text = "extinction by haze and air relative to air alone: 2 very clear, 3 clear, 10 hazy"};
 constexpr KeyDoc kScale{.name = "scale",
                         .range = {0, kLargestEmission},
                         .defaultText = "1",
-                        .text = "factor of all radiances, those of the sun too",
+                        .text = "factor of all radiances, including the sun's",
                         .rangeText = "(0, 1e12]"};
 constexpr KeyDoc kSunScale{.name = "sun_scale",
                            .range = {0, 1e6},
                            .defaultText = "1",
-                           .text = "factor of the sun alone; 0: none is seen, and the sky is lit all the same"};
+                           .text = "factor of the sun alone; 0: no visible sun, the sky stays lit"};
 constexpr KeyDoc kSunRadius{
     .name = "sun_radius",
     .range = {0, 10, true, true, "degrees"},
     .defaultText = "0.265",
-    .text = "half of the angle that the sun is wide; 0: a directional light, with hard shadows, which no ray sees"};
+    .text = "angular radius of the sun; 0: a directional light, with hard shadows, invisible to rays"};
 constexpr KeyDoc kGround{.name = "ground_albedo",
                          .type = KeyType::Color,
                          .range = {0, 1},
                          .defaultText = "0.2",
-                         .text = "of the plain below the horizon, which the sky and the sun light"};
+                         .text = "albedo of the ground below the horizon, which sky and sun light"};
 constexpr KeyDoc kResolution{.name = "resolution",
                              .type = KeyType::WholeNumber,
                              .range = {16, 4096},
                              .defaultText = "512",
-                             .text = "rows of the environment, twice as many columns; 512 rows are 0.35 degrees each"};
+                             .text =
+                                 "rows of the environment, with twice as many columns; at 512, a row is 0.35 degrees"};
 constexpr std::array kKeys{kSun, kTurbidity, kScale, kSunScale, kSunRadius, kGround, kResolution, kPhotonShare};
 
 struct Sky {
@@ -64,7 +64,7 @@ struct Sky {
     std::uint32_t resolution = 512;
 };
 
-// An equirectangular grid of twice as many columns as rows: the middle is seen along -z, the upper edge is +y.
+// An equirectangular grid with twice as many columns as rows: the centre is in direction -z, the upper edge +y.
 struct Grid {
     int rows;
 
@@ -75,11 +75,11 @@ struct Grid {
         const double theta = pi * y / rows;
         return {-std::sin(theta) * std::sin(phi), std::cos(theta), std::sin(theta) * std::cos(phi)};
     }
-    // Of a texel of the row [sr].
+    // Solid angle of a texel of the row [sr].
     [[nodiscard]] double solidAngle(int row) const {
         return 2 * pi / columns() * (std::cos(pi * row / rows) - std::cos(pi * (row + 1) / rows));
     }
-    // What a texel of the row adds to the irradiance of level ground, per radiance: the integral of the cosine [sr].
+    // Irradiance of level ground from a texel of the row, per unit radiance: the integral of the cosine [sr].
     [[nodiscard]] double projectedAngle(int row) const {
         const double top = std::sin(pi * row / rows);
         const double bottom = std::sin(pi * std::min(row + 1.0, rows / 2.0) / rows);
@@ -87,7 +87,7 @@ struct Grid {
     }
 };
 
-// What of a texel the sun covers, by 16 x 16 places in it.
+// Fraction of a texel that the sun covers, from 16 x 16 points in it.
 double coverage(const Grid& grid, const Sky& sky, int x, int y) {
     constexpr int kPlaces = 16;
     const double sine = std::sin(glm::radians(sky.sunRadius) / 2);
@@ -99,8 +99,8 @@ double coverage(const Grid& grid, const Sky& sky, int x, int y) {
     return static_cast<double>(covered) / (kPlaces * kPlaces);
 }
 
-// Adds the sun's disc to the texels that it covers, so that its irradiance is exact whatever their size; a sun that is
-// smaller than a texel fills the one that it is in.
+// Adds the sun's disc to the texels that it covers. Its irradiance is exact for any texel size; a sun smaller than a
+// texel fills the texel that contains it.
 void addSun(Image& image, const Grid& grid, const Sky& sky, const dvec3& irradiance) {
     const double around = std::atan2(-sky.sun.x, sky.sun.z) / (2 * pi);
     const int sunColumn =
@@ -129,7 +129,7 @@ void addSun(Image& image, const Grid& grid, const Sky& sky, const dvec3& irradia
     }
 }
 
-// The sky above the horizon and the ground below it, without the sun.
+// The sky above the horizon and the ground below it, without the sun's disc.
 Image skyImage(const Grid& grid, const Sky& sky, const dvec3& sunOnGround) {
     const SkyModel model(sky.turbidity, sky.sun);
     Image image(grid.columns(), grid.rows);
@@ -156,7 +156,7 @@ void read(Reader& reader, const std::filesystem::path& /*folder*/, Scene& scene)
     const Value sun = reader.require(kSun.name);
     sky.sun = readUnit(sun);
     if (!(sky.sun.y > 0)) {
-        sun.fail("the sun must stand above the horizon", "its y is above 0; there is no model of the night");
+        sun.fail("the sun must be above the horizon", "y must be above 0; there is no night sky model");
     }
     readKey(reader, kTurbidity, sky.turbidity);
     readKey(reader, kScale, sky.scale);
@@ -166,11 +166,12 @@ void read(Reader& reader, const std::filesystem::path& /*folder*/, Scene& scene)
     readKey(reader, kResolution, sky.resolution);
     readKey(reader, kPhotonShare, photonShare);
     if (sky.scale == 0) {
-        reader.require(kScale.name).fail("this light is dark", "give it a scale above 0 or leave it out");
+        reader.require(kScale.name).fail("this light emits nothing", "give it a scale above 0 or remove it");
     }
 
     const double air = relativeAirMass(std::acos(std::min(sky.sun.y, 1.0)));
-    const dvec3 irradiance = sky.scale * sky.sunScale * sunIrradiance(sky.turbidity, air); // of what faces the sun
+    const dvec3 irradiance =
+        sky.scale * sky.sunScale * sunIrradiance(sky.turbidity, air); // of a surface that faces the sun
     const Grid grid{static_cast<int>(sky.resolution)};
     Environment environment{.image = skyImage(grid, sky, irradiance * sky.sun.y), .photonShare = photonShare};
     const bool isSeen = irradiance != dvec3(0);
@@ -181,7 +182,7 @@ void read(Reader& reader, const std::filesystem::path& /*folder*/, Scene& scene)
     }
     const auto isTooBright = [](const glm::vec3& c) { return !(std::max({c.x, c.y, c.z}) <= kLargestEmission); };
     if (std::any_of(environment.image.pixels.begin(), environment.image.pixels.end(), isTooBright)) {
-        reader.map().fail("the sky is too bright", "its radiance is " + kRadiance.text());
+        reader.map().fail("the sky is too bright", "its radiance must be " + kRadiance.text());
     }
     scene.environment = std::move(environment);
 }
@@ -193,10 +194,12 @@ constinit const LightKind kSkyLight{
         {.type = "sky",
          .schemaName = "skyLight",
          .text =
-             "A *sky* by day [Preetham99], with its sun and a plain below the horizon: an environment, hence at most "
-             "one of the two. +y is up. Its luminance Y is a radiance of Y / 179 W/(m² sr) in each channel of "
-             "linear sRGB where it is white. The sun is a black body of 5772 K seen through air and haze; as a disc "
-             "it is made of the environment's pixels and sends the light of the sun whatever their size.",
+             "A *sky* is a daylight sky [Preetham99] with its sun and flat ground below the horizon. It becomes the "
+             "scene's environment, so a scene has at most one of the two. +y is up. White of luminance Y has a "
+             "radiance "
+             "of Y / 179 W/(m² sr) in each channel of linear sRGB. The sun is a black body of 5772 K seen through air "
+             "and haze; its disc is drawn into the environment's pixels and has the sun's irradiance at any "
+             "resolution.",
          .keys = kKeys},
     .read = read};
 

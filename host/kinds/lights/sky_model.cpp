@@ -1,4 +1,4 @@
-// See sky_model.h. Numbers of appendix A.2 of [Preetham99] where nothing else is named.
+// See sky_model.h. Numbers without another source are from appendix A.2 of [Preetham99].
 #include "kinds/lights/sky_model.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ double lobe(double wavelength, double middle, double below, double above) {
     return std::exp(-0.5 * t * t);
 }
 
-// The CIE's 1931 colour matching functions, wavelength in nm, by the fit of several lobes of [Wyman13, eq. 4].
+// The CIE 1931 colour matching functions, wavelength in nm: the multi-lobe fit of [Wyman13, eq. 4].
 dvec3 colorMatching(double nm) {
     return {1.056 * lobe(nm, 599.8, 37.9, 31.0) + 0.362 * lobe(nm, 442.0, 16.0, 26.7) -
                 0.065 * lobe(nm, 501.1, 20.4, 26.2),
@@ -61,7 +61,7 @@ glm::dvec2 zenithChromaticity(double turbidity, double theta) {
                 (0.15346 * t3 - 0.26756 * t2 + 0.06670 * theta + 0.26688)};
 }
 
-// Equation 3. At the horizon the first exponential is that of minus infinity: b < 0.
+// Equation 3. At the horizon the first exponential is 0, because b < 0.
 double SkyModel::Quantity::over(double cosTheta, double gamma) const {
     const double cosGamma = std::cos(gamma);
     const double height = cosTheta > 0 ? std::exp(b / cosTheta) : 0;
@@ -98,10 +98,10 @@ double relativeAirMass(double theta) {
     return 1 / (std::cos(theta) + 0.15 * std::pow(93.885 - theta * 180 / pi, -1.253));
 }
 
-// Appendix A.1: the sun's spectrum (here a black body's, of the solar constant 1361 W/m^2) through molecules and haze.
-// The mass of air multiplies the extinction; the paper has it in the exponent of the wavelength, where it cannot be.
-// Ozone, other gases and water vapour, whose absorption is told by tables, are left out: of green light at noon they
-// take 3 %.
+// Appendix A.1: the sun's spectrum (here a black body with the solar constant 1361 W/m^2) through molecules and haze.
+// The air mass multiplies the extinction; the paper has it in the exponent of the wavelength, which is a misprint.
+// Ozone, other gases and water vapour, whose absorption needs tables, are left out: they absorb 3 % of green light at
+// noon.
 dvec3 sunIrradiance(double turbidity, double air) {
     constexpr double kStep = 5; // [nm]
     const double beta = 0.04608 * turbidity - 0.04586;

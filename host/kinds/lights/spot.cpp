@@ -1,4 +1,4 @@
-// Light from a point about an axis: shaders/lights/spot.glsl, host/reference/lights/spot.cpp.
+// Light from a point into a cone: shaders/lights/spot.glsl, host/reference/lights/spot.cpp.
 #include "kinds/lights/light_kinds.h"
 #include "scene/yaml/read_placement.h"
 
@@ -16,21 +16,21 @@ constexpr KeyDoc kAxis{.name = "direction",
                        .type = KeyType::Vector,
                        .range = kDirection,
                        .required = true,
-                       .text = "where the axis goes, of any length but 0"};
+                       .text = "direction of the axis, any nonzero length"};
 constexpr KeyDoc kStrength{.name = "intensity",
                            .type = KeyType::Color,
                            .range = kIntensity,
                            .defaultText = "1",
-                           .text = "on the axis, not all 0",
+                           .text = "intensity on the axis, not all 0",
                            .rangeText = "[0, 1e12], not all 0"};
 constexpr KeyDoc kAngle{.name = "angle",
                         .range = {0.001, 180, true, true, "degrees"}, // 1 - cos is a normal float
                         .defaultText = "30",
-                        .text = "from the axis to where the light ends"};
+                        .text = "angle between the axis and the edge of the cone"};
 constexpr KeyDoc kBlend{.name = "blend",
                         .range = {0, 1},
                         .defaultText = "0.1",
-                        .text = "share of the angle, at its end, over which the intensity falls to 0"};
+                        .text = "outer fraction of the angle over which the intensity falls to 0"};
 constexpr std::array kKeys{kPosition, kAxis, kStrength, kAngle, kBlend, kPhotonShare};
 
 void read(Reader& reader, const std::filesystem::path& /*folder*/, Scene& scene) {
@@ -75,9 +75,9 @@ constinit const LightKind kSpotLight{
             .schemaName = "spotLight",
             .text =
                 "*Spots* have their full intensity up to (1 - `blend`) `angle` from the axis and none beyond `angle`. "
-                "Between the two it is 3t² - 2t³ of the full one, where t goes evenly in the cosine of the angle from "
-                "0 at the outer cone to 1 at the inner: the mean of that is 1/2, and the power is π (2 - cos inner - "
-                "cos outer) times the intensity.",
+                "Between the two the intensity is 3t² - 2t³ of the full one, where t is linear in the cosine of the "
+                "angle, from 0 at the outer cone to 1 at the inner one. The mean of 3t² - 2t³ is 1/2, so the power is "
+                "π (2 - cos inner - cos outer) times the intensity.",
             .keys = kKeys},
     .read = read,
     .addRecords = addRecords,

@@ -9,9 +9,9 @@ namespace hyalite::kinds {
 namespace {
 
 constexpr KeyDoc kCoat{
-    .name = "coat", .range = kFraction, .defaultText = "1", .text = "share of the surface that the coat covers"};
+    .name = "coat", .range = kFraction, .defaultText = "1", .text = "fraction of the surface that the coat covers"};
 constexpr KeyDoc kCoatRoughness{
-    .name = "coat_roughness", .range = kFraction, .defaultText = "0", .text = "of the coat; 0: smooth"};
+    .name = "coat_roughness", .range = kFraction, .defaultText = "0", .text = "roughness of the coat; 0: smooth"};
 constexpr KeyDoc kCoatIndex{.name = "coat_ior",
                             .range = {1, 100},
                             .defaultText = "1.5",

@@ -17,12 +17,13 @@ constexpr std::array kMetalNames{kMetals[0].name, kMetals[1].name, kMetals[2].na
 
 constexpr KeyDoc kMetal{.name = "metal",
                         .type = KeyType::Word,
-                        .text = "a metal of this index; else the index itself:",
+                        .text = "a metal with a known refractive index; otherwise give `eta` and `k`",
                         .words = kMetalNames};
 constexpr KeyDoc kEta{
     .name = "eta", .type = KeyType::Color, .range = kIor, .text = "real part of the refractive index, relative to air"};
-constexpr KeyDoc kExtinction{.name = "k", .type = KeyType::Color, .range = {0, 100}, .text = "its imaginary part"};
-constexpr KeyDoc kRoughness = roughnessKey("0: polished; more: brushed evenly, see below");
+constexpr KeyDoc kExtinction{
+    .name = "k", .type = KeyType::Color, .range = {0, 100}, .text = "imaginary part of the refractive index"};
+constexpr KeyDoc kRoughness = roughnessKey("0: polished; above 0: matt, see below");
 constexpr std::array kKeys{kMetal, kEta, kExtinction, kRoughness};
 
 constexpr std::string_view kRules = R"({"oneOf": [
@@ -35,15 +36,15 @@ MaterialModel read(Reader& reader, const Scene& /*scene*/, Material& /*has no te
         conductor = choose<Conductor>(*metal, "metal", kMetals);
         for (const KeyDoc& index : {kEta, kExtinction}) {
             if (const auto value = reader.find(index.name)) {
-                value->fail("'metal' says already what '" + std::string(index.name) + "' is",
-                            "leave out one of the two");
+                value->fail("'metal' and '" + std::string(index.name) + "' exclude each other",
+                            "remove one of the two");
             }
         }
     } else {
         const auto eta = reader.find(kEta.name);
         const auto k = reader.find(kExtinction.name);
         if (!eta || !k) {
-            reader.map().fail("a conductor needs its 'metal', or 'eta' and 'k'", "metal: gold");
+            reader.map().fail("a conductor needs a 'metal', or 'eta' and 'k'", "e.g. metal: gold");
         }
         eta->readColor(conductor.eta, kEta.range);
         k->readColor(conductor.k, kExtinction.range);

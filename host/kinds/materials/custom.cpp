@@ -1,4 +1,4 @@
-// Code of the scene's own: shaders/bsdf/custom.glsl, host/reference/bsdf/custom.cpp.
+// Custom GLSL of the scene: shaders/bsdf/custom.glsl, host/reference/bsdf/custom.cpp.
 #include "kinds/materials/material_kinds.h"
 #include "scene/yaml/custom_code.h"
 
@@ -7,21 +7,21 @@
 namespace hyalite::kinds {
 namespace {
 
-constexpr KeyDoc kFile{.name = "file",
-                       .type = KeyType::Text,
-                       .required = true,
-                       .text =
-                           "GLSL that defines a function of the file's name, in the scene file's folder or below: the "
-                           "share of the light reflected, by its angle; see [experiments](experiments.md)"};
+constexpr KeyDoc kFile{
+    .name = "file",
+    .type = KeyType::Text,
+    .required = true,
+    .text = "GLSL file, in the scene file's folder or below. It defines a function of the same name that "
+            "returns the fraction of light reflected by its angle; see [experiments](experiments.md)"};
 constexpr KeyDoc kParameters{
     .name = "parameters",
     .type = KeyType::Other,
     .defaultText = "[0, 0, 0, 0]",
-    .text = "what the function is given besides the angle",
+    .text = "further arguments of the function, after the angle",
     .schema = R"({"type": "array", "items": {"type": "number", "minimum": -1e+30, "maximum": 1e+30}, "maxItems": 4})",
     .typeText = "up to four numbers",
     .rangeText = "[-1e30, 1e30]"};
-constexpr KeyDoc kRoughness = roughnessKey("as a conductor's");
+constexpr KeyDoc kRoughness = roughnessKey("as for a conductor");
 constexpr std::array kKeys{kFile, kParameters, kRoughness};
 
 MaterialModel read(Reader& reader, const Scene& /*scene*/, Material& /*has no textures*/) {

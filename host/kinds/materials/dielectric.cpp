@@ -9,14 +9,14 @@ namespace {
 constexpr KeyDoc kIndex{.name = "ior",
                         .range = kIor,
                         .defaultText = "1.5",
-                        .text = "glass or water: refractive index inside over outside. For a closed surface whose "
-                                "normals point outward"};
-constexpr KeyDoc kRoughness = roughnessKey("0: clear glass; more: frosted, see below");
+                        .text = "refractive index inside over outside, e.g. of glass or water; the surface must be "
+                                "closed with its normals outward"};
+constexpr KeyDoc kRoughness = roughnessKey("0: clear glass; above 0: frosted, see below");
 constexpr KeyDoc kAbsorption{.name = "absorption",
                              .type = KeyType::Color,
                              .range = {0, 1 / kSmallestLength, true, true, "1/m"},
                              .defaultText = "0",
-                             .text = "absorption coefficient σ inside: of the light, e^(-σ t) is left after t metres"};
+                             .text = "absorption coefficient σ inside: after t metres, e^(-σ t) of the light is left"};
 constexpr std::array kKeys{kIndex, kRoughness, kAbsorption};
 
 MaterialModel read(Reader& reader, const Scene& /*scene*/, Material& /*has no textures*/) {

@@ -10,7 +10,7 @@ constexpr KeyDoc kAlbedo{.name = "albedo",
                          .type = KeyType::TexturedColor,
                          .range = kFraction,
                          .defaultText = "0.5",
-                         .text = "share of the light reflected, evenly in all directions (Lambert)"};
+                         .text = "fraction of light reflected, equally in all directions (Lambert)"};
 constexpr std::array kKeys{kAlbedo};
 
 MaterialModel read(Reader& reader, const Scene& scene, Material& material) {

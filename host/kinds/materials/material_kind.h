@@ -1,5 +1,5 @@
-// A material in one row: what it is in the scene file, how it is read, its record on the device and which BSDF of the
-// reference it has. One file a model; the list is that of shaders/shared/materials.h.
+// A material as one row: its description for the scene file, its reader, its device record and the matching BSDF of the
+// reference. One file per model; shaders/shared/materials.h lists them.
 #pragma once
 
 #include "kinds/read_key.h"
@@ -17,13 +17,14 @@ namespace hyalite::kinds {
 struct MaterialKind {
     MapDoc doc;
 
-    // One entry of `materials`; sets the material's textures, too. Throws Error(BadInput).
+    // Reads one entry of `materials`; also sets the material's textures. Throws Error(BadInput).
     MaterialModel (*read)(Reader& reader, const Scene& scene, Material& material) = nullptr;
 
-    // Writes what the kernels read of the model; the rest of the record is 0, but for the type and an ior of 1.
+    // Writes the fields that the kernels read for this model. The type is already set, ior is 1, all other fields are
+    // 0.
     void (*record)(const MaterialModel& model, shared::MaterialRecord& r) = nullptr;
 
-    // The greatest roughness of its lobes; nullptr: the record's. A texture can only make it smaller.
+    // The largest roughness of its lobes; nullptr: the record's roughness. A texture can only reduce it.
     float (*roughness)(const shared::MaterialRecord& r) = nullptr;
 
     const reference::BsdfModel* reference = nullptr;
@@ -37,7 +38,7 @@ inline constexpr Range kIor{0.01, 100}; // glass 1.5, diamond 2.4; below 1: a bu
     return {.name = "roughness", .range = kFraction, .defaultText = "0", .text = text};
 }
 
-// A colour or a texture, as its row describes it.
+// Reads a colour or a texture as its row describes it.
 inline void readTextured(Reader& reader, const KeyDoc& key, const Scene& scene, glm::dvec3& color, Material& material) {
     readTexturedColor(reader, key.name, key.range, scene, color, material.colorTexture);
 }

@@ -15,7 +15,7 @@ HYALITE_MODELS(ROW)
 inline constexpr std::array kMaterialKinds{HYALITE_MODELS(ROW)};
 #undef ROW
 
-// The row of kMaterial…; nullptr: the absorber, of which a scene file has none.
+// The row of a kMaterial… type; nullptr for the absorber, which scene files cannot name.
 [[nodiscard]] constexpr const MaterialKind* materialKind(std::uint32_t type) {
     switch (type) {
 #define ROW(Name, name)                                                                                                \

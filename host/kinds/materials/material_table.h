@@ -11,7 +11,7 @@ namespace hyalite::kinds {
 
 struct MaterialTable {
     std::vector<shared::MaterialRecord> records; // in the scene's order
-    std::uint32_t types = 0; // bit kMaterial… is set for every type there is, and kMaterialRough where a lobe is rough
+    std::uint32_t types = 0; // bit kMaterial… is set for every type in use, kMaterialRough if any lobe is rough
 
     [[nodiscard]] bool hasRoughLobes() const { return (types >> shared::kMaterialRough & 1U) != 0; }
 };

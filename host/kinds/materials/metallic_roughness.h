@@ -1,4 +1,4 @@
-// The keys of metallic-roughness, which a material that lies over one has too.
+// The keys of metallic-roughness, shared with materials that layer over it.
 #pragma once
 
 #include "kinds/materials/material_kind.h"
@@ -11,20 +11,20 @@ inline constexpr KeyDoc kBaseColor{.name = "base_color",
                                    .type = KeyType::TexturedColor,
                                    .range = kFraction,
                                    .defaultText = "0.8",
-                                   .text = "colour of the diffuse base, and what the metal reflects"};
+                                   .text = "colour of the diffuse base and of the metal's reflection"};
 inline constexpr KeyDoc kMetallic{
     .name = "metallic",
     .range = kFraction,
     .defaultText = "0",
-    .text = "0: a dielectric, diffuse under a coat that reflects 4 %; 1: a metal; between: mixed"};
+    .text = "0: a dielectric, diffuse under a coat that reflects 4 %; 1: a metal; between: a mixture"};
 inline constexpr KeyDoc kBaseRoughness{
-    .name = "roughness", .range = kFraction, .defaultText = "0.5", .text = "of the coat or the metal"};
+    .name = "roughness", .range = kFraction, .defaultText = "0.5", .text = "roughness of the coat or the metal"};
 inline constexpr KeyDoc kMetallicRoughnessTexture{
     .name = "metallic_roughness_texture",
     .type = KeyType::Other,
     .defaultText = "none",
     .text = "a texture whose green multiplies `roughness` and whose blue multiplies `metallic`; "
-            "both are then 1 by default. Its file is `linear`",
+            "both then default to 1. Its file must be `linear`",
     .schema = R"({"$ref": "#/$defs/textureReference"})",
     .typeText = "`{texture: name}`"};
 inline constexpr std::array kMetallicRoughnessKeys{kBaseColor, kMetallic, kBaseRoughness, kMetallicRoughnessTexture};

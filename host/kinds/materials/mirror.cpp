@@ -10,7 +10,7 @@ constexpr KeyDoc kReflectance{.name = "reflectance",
                               .type = KeyType::TexturedColor,
                               .range = kFraction,
                               .defaultText = "1",
-                              .text = "share of the light reflected, all in the mirror direction"};
+                              .text = "fraction of light reflected, all in the mirror direction"};
 constexpr std::array kKeys{kReflectance};
 
 MaterialModel read(Reader& reader, const Scene& scene, Material& material) {

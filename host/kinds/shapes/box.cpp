@@ -1,4 +1,4 @@
-// The box, a quadric that its clip box makes.
+// The box: a quadric whose only surface is its clip box.
 #include "kinds/shapes/shape_kinds.h"
 #include "scene/model/bounds.h"
 #include "scene/model/named_quadrics.h"
@@ -42,7 +42,7 @@ Shape read(Reader& reader, const Surroundings& around) {
 
 constinit const ShapeKind kBoxShape{.doc = {.type = "box",
                                             .schemaName = "box",
-                                            .text = "From corner `min` to corner `max`, its faces across the axes.",
+                                            .text = "An axis-aligned box from corner `min` to corner `max`.",
                                             .keys = kKeys},
                                     .read = read};
 

@@ -9,7 +9,7 @@
 namespace hyalite::kinds {
 namespace {
 
-// A corner of the clip box; null leaves a side without end.
+// Reads a corner of the clip box; a null coordinate leaves that side unbounded.
 void readCorner(const Value& value, glm::dvec3& corner) {
     const std::vector<Value> coordinates = value.list(3);
     for (int axis = 0; axis < 3; ++axis) {
@@ -46,7 +46,7 @@ Bounds readClip(const Value& value) {
     value.fail("this clip box has no side", "give 'min' or 'max' a coordinate that is not null");
 }
 
-// A form must have an inside and, without a box to close it, an outside too. `written` is where the form stands.
+// Checks that the form has an inside and, without a capped box, an outside too. `written`: the place of the form.
 void checkSurface(const Value& written, const std::optional<Value>& clip, const Quadric& quadric) {
     const glm::dvec3 far(kLargestLength);
     const Extremes q = extremes(quadric.form, intersection(quadric.clip, {-far, far}));
@@ -56,8 +56,7 @@ void checkSurface(const Value& written, const std::optional<Value>& clip, const 
         place.fail("this shape has no inside" + within + ": q is nowhere below 0", "inside is where q <= 0");
     }
     if (!(q.greatest > 0) && !(clip && quadric.capped)) {
-        place.fail("this shape has no surface" + within + ": q is below 0 everywhere",
-                   "a 'clip' box with caps gives it one");
+        place.fail("this shape has no surface" + within + ": q is below 0 everywhere", "add a 'clip' box with caps");
     }
 }
 
@@ -72,7 +71,7 @@ Shape clipped(Reader& reader, const Value& written, Quadric quadric) {
     if (caps) {
         caps->read(quadric.capped);
         if (!clip) {
-            caps->fail("'caps' close a clip box, and this shape has none", "give it a 'clip'");
+            caps->fail("'caps' needs a clip box, and this shape has none", "add a 'clip'");
         }
     }
     reader.finish();

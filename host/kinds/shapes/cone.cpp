@@ -1,4 +1,4 @@
-// The cone, whole or cut off: a quadric between two caps.
+// The cone or truncated cone: a quadric between two caps.
 #include "kinds/shapes/segment.h"
 #include "kinds/shapes/shape_kinds.h"
 #include "scene/model/named_quadrics.h"
@@ -11,11 +11,11 @@ namespace hyalite::kinds {
 namespace {
 
 constexpr Range kEndRadius{0, kLargestLength, true, true, "m"};
-constexpr KeyDoc kRadius{.name = "radius", .range = kEndRadius, .required = true, .text = "at the base"};
+constexpr KeyDoc kRadius{.name = "radius", .range = kEndRadius, .required = true, .text = "radius at the base"};
 constexpr KeyDoc kTopRadius{.name = "top_radius",
                             .range = kEndRadius,
                             .defaultText = "0",
-                            .text = "at the top; one of the two at least 1e-9",
+                            .text = "radius at the top; one of the two must be at least 1e-9",
                             .rangeText = "[0, 1e9]; one of the two at least 1e-9"};
 constexpr std::array kKeys{kBase, kTop, kRadius, kTopRadius, kOpen};
 
@@ -37,8 +37,7 @@ Shape read(Reader& reader, const Surroundings& around) {
 constinit const ShapeKind kConeShape{
     .doc = {.type = "cone",
             .schemaName = "cone",
-            .text =
-                "As the cylinder, with a radius that goes evenly from `radius` at the base to `top_radius` at the top.",
+            .text = "A cylinder whose radius changes linearly from `radius` at the base to `top_radius` at the top.",
             .keys = kKeys},
     .read = read};
 

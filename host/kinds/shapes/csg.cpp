@@ -1,4 +1,4 @@
-// Constructive solid geometry: solids made of solids. Device: shaders/shapes/csg.glsl; reference:
+// Constructive solid geometry: combinations of solids. Device: shaders/shapes/csg.glsl; reference:
 // host/reference/shapes/csg.cpp.
 #include "base/spelling.h"
 #include "kinds/shapes/object_record.h"
@@ -43,7 +43,7 @@ constexpr KeyDoc kShapes{.name = "shapes",
 constexpr KeyDoc kCutMaterial{.name = "cut_material",
                               .type = KeyType::Text,
                               .defaultText = "none",
-                              .text = "of a difference: material of the faces cut by all operands but the first"};
+                              .text = "for a difference: material of the faces that all operands but the first cut"};
 constexpr std::array kKeys{kOp, kLeft, kRight, kShapes, kCutMaterial};
 
 constexpr std::array<Choice<CsgStep>, 3> kOperations{{
@@ -52,14 +52,14 @@ constexpr std::array<Choice<CsgStep>, 3> kOperations{{
     {"difference", CsgStep::Difference},
 }};
 
-// The operands as the file gives them: `left` and `right`, or `shapes`.
+// Reads the operands: `left` and `right`, or `shapes`.
 std::vector<Value> readOperands(Reader& reader) {
     const auto shapes = reader.find(kShapes.name);
     const auto left = reader.find(kLeft.name);
     const auto right = reader.find(kRight.name);
     if (!shapes) {
         if (!left && !right) {
-            reader.map().fail("a csg needs its operands", "'left' and 'right', or a list of 'shapes'");
+            reader.map().fail("a csg needs operands", "give 'left' and 'right', or a list of 'shapes'");
         }
         return {reader.require(kLeft.name), reader.require(kRight.name)};
     }
@@ -71,7 +71,7 @@ std::vector<Value> readOperands(Reader& reader) {
         operands.emplace_back(shape.node(), shape.file(), "shape");
     }
     if (operands.size() < 2) {
-        shapes->fail("'shapes' of a csg must be at least 2, found " + std::to_string(operands.size()));
+        shapes->fail("a csg needs at least 2 'shapes', found " + std::to_string(operands.size()));
     }
     return operands;
 }
@@ -86,8 +86,8 @@ void checkClosedMesh(const SourceLocation& where, const Mesh& mesh) {
     };
     if (const auto edge = findOpenEdge(mesh)) {
         failNotClosed(
-            where, "this mesh is open, at the edge from " + text(edge->from) + " to " + text(edge->to) + " of its file",
-            "every edge must have a triangle on either side");
+            where, "this mesh is open at the edge from " + text(edge->from) + " to " + text(edge->to) + " of its file",
+            "every edge must have a triangle on both sides");
     }
     const double volume = signedVolume(mesh);
     if (volume == 0) {
@@ -95,14 +95,14 @@ void checkClosedMesh(const SourceLocation& where, const Mesh& mesh) {
     }
     if (volume < 0) {
         failNotClosed(where, "this mesh is inside out: the fronts of its triangles face inward",
-                      "turn the order of their corners round");
+                      "reverse the order of their corners");
     }
 }
 
-// Only what has an inside can be a leaf.
+// Checks that the shape has an inside and can be a leaf.
 void checkSolid(const Object& leaf, const Scene& scene) {
     if (std::holds_alternative<Quad>(leaf.shape)) {
-        failNotClosed(leaf.where, "a quad has no inside", "a plane stands for all that is behind it, or use a box");
+        failNotClosed(leaf.where, "a quad has no inside", "use a plane (the half-space behind it) or a box");
     }
     if (std::holds_alternative<Disk>(leaf.shape)) {
         failNotClosed(leaf.where, "a disk has no inside", "use a flat cylinder");
@@ -111,7 +111,7 @@ void checkSolid(const Object& leaf, const Scene& scene) {
         const bool isCut =
             quadric->clip.low != Bounds::everything().low || quadric->clip.high != Bounds::everything().high;
         if (isCut && !quadric->capped) {
-            failNotClosed(leaf.where, "this shape is open where its caps are left off", "give it its caps");
+            failNotClosed(leaf.where, "this shape is open without its caps", "leave the caps on");
         }
     }
     if (const auto* instance = std::get_if<MeshInstance>(&leaf.shape)) {
@@ -119,7 +119,7 @@ void checkSolid(const Object& leaf, const Scene& scene) {
             const auto* other = std::get_if<MeshInstance>(&earlier.shape);
             return other != nullptr && other->mesh == instance->mesh;
         };
-        // What is a leaf already has passed
+        // A mesh that is a leaf already has passed the check
         if (std::none_of(scene.csgLeaves.begin(), scene.csgLeaves.end(), isSame)) {
             checkClosedMesh(leaf.where, scene.meshes[instance->mesh]);
         }
@@ -129,13 +129,13 @@ void checkSolid(const Object& leaf, const Scene& scene) {
 // Reads one operand and adds its steps to the program.
 void readOperand(const Value& value, const Surroundings& around, std::vector<CsgStep>& program) {
     const Object operand = around.readShape(value, around);
-    if (const auto* csg = std::get_if<Csg>(&operand.shape)) { // its leaves are where they belong
+    if (const auto* csg = std::get_if<Csg>(&operand.shape)) { // its leaves are in place already
         program.insert(program.end(), csg->program.begin(), csg->program.end());
         return;
     }
     checkSolid(operand, around.scene);
     if (!operand.material) {
-        value.fail("this shape has no material", "give one to it, to a csg around it or to the object");
+        value.fail("this shape has no material", "give one to it, to an enclosing csg or to the object");
     }
     around.scene.csgLeaves.push_back(operand);
     program.push_back(CsgStep::Leaf);
@@ -145,7 +145,7 @@ Shape read(Reader& reader, const Surroundings& around) {
     const auto operation = choose<CsgStep>(reader.require(kOp.name), "operation", kOperations);
     const std::vector<Value> operands = readOperands(reader);
     const auto cutMaterial = reader.find(kCutMaterial.name);
-    reader.finish(); // before meshes are read for nothing
+    reader.finish(); // report a wrong key before reading meshes
 
     Surroundings right = around;
     if (cutMaterial) {
@@ -153,7 +153,7 @@ Shape read(Reader& reader, const Surroundings& around) {
             cutMaterial->fail("only a difference has cut faces for 'cut_material'");
         }
         const std::size_t material = findMaterial(*cutMaterial, around.scene);
-        right.cutMaterial = around.cutMaterial.value_or(material); // the outermost holds for all that it cuts
+        right.cutMaterial = around.cutMaterial.value_or(material); // the outermost one wins
     }
     Csg csg{around.scene.csgLeaves.size(), {}};
     for (std::size_t i = 0; i < operands.size(); ++i) {
@@ -163,13 +163,13 @@ Shape read(Reader& reader, const Surroundings& around) {
         }
         if (around.scene.csgLeaves.size() - csg.firstLeaf > kMostCsgLeaves) {
             reader.map().fail("this csg has more than " + std::to_string(kMostCsgLeaves) + " shapes",
-                              "make several objects of it, or a mesh");
+                              "split it into several objects, or use a mesh");
         }
     }
     Object whole;
     whole.shape = csg;
     if (operation == CsgStep::Intersection && isEmpty(worldBounds(around.scene, whole))) {
-        reader.map().fail("nothing is left of this csg: its shapes do not meet");
+        reader.map().fail("this intersection is empty: its shapes do not overlap");
     }
     return csg;
 }
@@ -233,7 +233,7 @@ constinit const ShapeKind kCsgShape{
     .doc =
         {.type = "csg",
          .schemaName = "csg",
-         .text = "A solid made of solids.",
+         .text = "A combination of solids.",
          .keys = kKeys,
          .rules =
              R"({"oneOf": [{"required": ["left", "right"], "not": {"required": ["shapes"]}}, {"required": ["shapes"], "not": {"anyOf": [{"required": ["left"]}, {"required": ["right"]}]}}], "if": {"required": ["cut_material"]}, "then": {"properties": {"op": {"const": "difference"}}}})"},

@@ -1,4 +1,4 @@
-// The cylinder, a quadric between two caps.
+// The cylinder: a quadric between two caps.
 #include "kinds/shapes/segment.h"
 #include "kinds/shapes/shape_kinds.h"
 #include "scene/model/named_quadrics.h"
@@ -24,7 +24,7 @@ Shape read(Reader& reader, const Surroundings& around) {
 constinit const ShapeKind kCylinderShape{
     .doc = {.type = "cylinder",
             .schemaName = "cylinder",
-            .text = "The points no farther than `radius` from the segment's line, between its ends.",
+            .text = "The points within `radius` of the axis, between its ends `base` and `top`.",
             .keys = kKeys},
     .read = read};
 

@@ -1,4 +1,4 @@
-// The disk; stretched by a transform, an ellipse. Device: shaders/shapes/solids.glsl; reference:
+// The disk; a transform may make it an ellipse. Device: shaders/shapes/solids.glsl; reference:
 // host/reference/shapes/geometry.cpp.
 #include "kinds/shapes/flat.h"
 #include "kinds/shapes/object_record.h"
@@ -31,7 +31,7 @@ Shape read(Reader& reader, const Surroundings& around) {
     transformAxes(around.placement.objectToWorld, disk.axis0, disk.axis1);
     if (!(glm::length(disk.axis0) >= kSmallestLength && glm::length(disk.axis1) >= kSmallestLength) ||
         areParallel(disk.axis0, disk.axis1)) {
-        around.placement.transform->fail("this transform squashes the disk to a line");
+        around.placement.transform->fail("this transform flattens the disk to a line");
     }
     checkReach(reader, worldBounds(disk));
     return disk;

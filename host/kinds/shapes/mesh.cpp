@@ -22,7 +22,7 @@ constexpr KeyDoc kFile{.name = "file",
                        .text = "OBJ, PLY, STL or glTF file; path relative to the scene file"};
 constexpr std::array kKeys{kFile};
 
-// Puts a texture of the mesh file into the scene. Every material has its own: files that share one are few.
+// Adds a texture of the mesh file to the scene. Each material gets its own copy: few files share textures.
 std::optional<std::size_t> sceneTexture(const Value& file, const std::optional<ImportedTexture>& texture,
                                         Encoding encoding, Scene& scene) {
     if (!texture) {
@@ -30,7 +30,7 @@ std::optional<std::size_t> sceneTexture(const Value& file, const std::optional<I
     }
     const std::string name = file.text() + ' ' + texture->place;
     if (!texture->refusal.empty()) {
-        file.fail(texture->place + ": this texture cannot be shown: " + texture->refusal,
+        file.fail(texture->place + ": this texture is not supported: " + texture->refusal,
                   "give the object a material of the scene");
     }
     const bool isFile = !texture->file.empty();
@@ -41,7 +41,7 @@ std::optional<std::size_t> sceneTexture(const Value& file, const std::optional<I
     return scene.textures.size() - 1;
 }
 
-// Where a material of the file stands in the scene; it is put there when first asked for.
+// Index in the scene of a material of the file; the first use adds it to the scene.
 std::size_t sceneMaterial(const Value& file, std::size_t material, const Surroundings& around, MeshParts& parts) {
     const auto [known, isNew] = parts.sceneMaterials.try_emplace(material, around.scene.materials.size());
     if (isNew) {
@@ -58,7 +58,7 @@ void readParts(const Reader& reader, const Value& file, const Surroundings& arou
     MeshParts& parts = around.meshes.loadParts(file);
     for (const ImportedPart& part : parts.parts) {
         if (!isInvertible(around.placement.objectToWorld * part.toFile)) {
-            file.fail(part.name + ": its transforms are singular: they have no inverse");
+            file.fail(part.name + ": the transform of this part is singular: it has no inverse");
         }
         Object object;
         object.where = reader.where();
@@ -66,7 +66,7 @@ void readParts(const Reader& reader, const Value& file, const Surroundings& arou
         object.material = around.material;
         if (!object.material) {
             if (!part.material) {
-                file.fail(part.name + ": this part of the file has no material", "give one to the object");
+                file.fail(part.name + ": this part has no material", "give one to the object");
             }
             object.material = sceneMaterial(file, *part.material, around, parts);
         }
@@ -76,7 +76,7 @@ void readParts(const Reader& reader, const Value& file, const Surroundings& arou
 
 Shape read(Reader& reader, const Surroundings& around) {
     const Value file = reader.require(kFile.name);
-    reader.finish(); // before a large file is read for nothing
+    reader.finish(); // report a wrong key before reading a large file
     if (around.parts != nullptr && isGltf(file.text())) {
         readParts(reader, file, around);
         return around.parts->front().shape;
@@ -103,11 +103,10 @@ constinit const ShapeKind kMeshShape{
         {.type = "mesh",
          .schemaName = "mesh",
          .text = "A `mesh` is a Wavefront OBJ file (`.obj`), a PLY file (`.ply`: ascii, binary little endian or big "
-                 "endian), an STL file (`.stl`: text or binary; its corners are welded where they are equal, and it is "
-                 "shaded flat) or a glTF file. Objects that name the same file share one copy. Counter-clockwise "
-                 "corners face the viewer of the front. Vertex normals make shading smooth, where the file has them; a "
-                 "face without them stays flat. Polygons must be convex (or have four corners) and are cut into a fan "
-                 "of triangles.",
+                 "endian), an STL file (`.stl`: text or binary; equal corners are welded, shading is flat) or a glTF "
+                 "file. Objects that name the same file share one copy. Seen from the front, corners are "
+                 "counter-clockwise. Faces with vertex normals are shaded smooth, faces without them flat. Polygons "
+                 "must be convex (or have four corners) and are cut into a fan of triangles.",
          .keys = kKeys,
          .rules =
              R"({"properties": {"file": {"pattern": "\\.([oO][bB][jJ]|[pP][lL][yY]|[sS][tT][lL]|[gG][lL][tT][fF]|[gG][lL][bB])$"}}})"},

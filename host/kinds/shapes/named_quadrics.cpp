@@ -1,4 +1,4 @@
-// Surfaces of second degree that have a name.
+// The named quadrics.
 #include "scene/model/named_quadrics.h"
 #include "kinds/shapes/clipped_quadric.h"
 #include "kinds/shapes/shape_kinds.h"
@@ -14,7 +14,7 @@ constexpr KeyDoc kAxis{.name = "axis",
                        .type = KeyType::Vector,
                        .range = kDirection,
                        .defaultText = "[0, 1, 0]",
-                       .text = "direction of the shape's y axis, of any length but 0"};
+                       .text = "direction of the shape's y axis, any nonzero length"};
 constexpr KeyDoc kRadii{.name = "radii",
                         .type = KeyType::Vector,
                         .range = kLength,

@@ -1,4 +1,4 @@
-// The plane without end. Device: shaders/shapes/solids.glsl; reference: host/reference/shapes/geometry.cpp.
+// The infinite plane. Device: shaders/shapes/solids.glsl; reference: host/reference/shapes/geometry.cpp.
 #include "kinds/shapes/object_record.h"
 #include "kinds/shapes/shape_kinds.h"
 #include "scene/model/bounds.h"
@@ -20,7 +20,7 @@ Shape read(Reader& reader, const Surroundings& around) {
     readKey(reader, kPoint, plane.point);
     plane.normal = readUnit(reader.require(kNormal.name));
 
-    // A normal is to every direction within the plane what it was before: it goes by the inverse transpose.
+    // The normal stays perpendicular to all directions in the plane: it transforms by the inverse transpose.
     plane.point = transformPoint(around.placement.objectToWorld, plane.point);
     plane.normal =
         glm::normalize(glm::transpose(glm::inverse(glm::dmat3(around.placement.objectToWorld))) * plane.normal);
@@ -40,7 +40,7 @@ ObjectRecord record(const Plane& plane, ObjectTables& /*tables*/) {
 constinit const ShapeKind kPlaneShape{
     .doc = {.type = "plane",
             .schemaName = "plane",
-            .text = "The plane through `point`, without end. As a part of a `csg` it stands for all that is behind it.",
+            .text = "The infinite plane through `point`. In a `csg` it is the half-space behind it.",
             .keys = kKeys},
     .read = read};
 

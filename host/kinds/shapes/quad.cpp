@@ -16,7 +16,7 @@ constexpr KeyDoc kEdges{.name = "edges",
                         .type = KeyType::Other,
                         .range = kCoordinate,
                         .required = true,
-                        .text = "from the corner; the front is where edge 0 × edge 1 points",
+                        .text = "edges from the corner; the front is the side to which edge 0 × edge 1 points",
                         .schema =
                             R"({"type": "array", "items": {"$ref": "#/$defs/vector"}, "minItems": 2, "maxItems": 2})",
                         .typeText = "two vectors",

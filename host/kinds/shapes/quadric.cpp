@@ -1,4 +1,4 @@
-// Any surface of second degree, by its coefficients. Device: shaders/shapes/quadric.glsl; reference:
+// Any quadric, given by its coefficients. Device: shaders/shapes/quadric.glsl; reference:
 // host/reference/shapes/quadric.cpp.
 #include "scene/model/quadric.h"
 #include "kinds/shapes/clipped_quadric.h"
@@ -14,7 +14,7 @@
 namespace hyalite::kinds {
 namespace {
 
-// Of a coefficient: squares and products of them are far from the ends of a double's range.
+// Limits of a coefficient: their squares and products stay far from the limits of a double.
 constexpr double kLargestCoefficient = 1e30;
 constexpr double kSmallestCoefficient = 1e-30;
 constexpr Range kCoefficient{-kLargestCoefficient, kLargestCoefficient};
@@ -30,15 +30,15 @@ constexpr KeyDoc kCoefficients{
     .rangeText = "each [-1e30, 1e30], not all 0"};
 constexpr std::array kKeys{kCoefficients, kClip, kCaps};
 
-// The far side of a box that has none: beyond kEndless of the kernels whatever the transform.
+// Stored for an unbounded side of the clip box: beyond kEndless of the kernels under any transform.
 constexpr double kNoSide = 3e38;
 
-// Where the form is best written about: near the middle of the box if it has one, else near its own origin.
+// The origin for the form in the record: near the middle of its bounds if finite, else near its own origin.
 glm::dvec3 localCenter(const Quadric& quadric) {
     const Bounds box = objectBounds(quadric);
     const glm::dvec3 near = isFinite(box) ? 0.5 * (box.low + box.high) : glm::dvec3(0);
     const glm::dvec3 center = near + formCenter(transformed(quadric.form, glm::translate(glm::dmat4(1), -near)));
-    // The centre of a slice far from it is of no use
+    // A centre far from the clipped part is no help
     const bool isNear = !isFinite(box) || glm::length(center - near) <= 2 * glm::length(box.high - box.low);
     return isNear ? center : near;
 }
@@ -52,7 +52,7 @@ Shape read(Reader& reader, const Surroundings& around) {
         written.fail("all coefficients of this quadric are 0");
     }
     if (std::all_of(c.begin(), c.end() - 1, isSmall) && (form.j > 0 || !reader.find(kClip.name))) {
-        written.fail("of these coefficients only the last is not 0: q is the same everywhere and has no surface",
+        written.fail("only the last coefficient is not 0: q is constant and has no surface",
                      "the order is a b c d e f g h i j; -1 as the last within a 'clip' makes a box");
     }
     return clipped(reader, written, {.form = normalised(form), .objectToWorld = around.placement.objectToWorld});
@@ -83,11 +83,11 @@ constinit const ShapeKind kQuadricShape{
             .schemaName = "quadric",
             .text = "Any surface of second degree: inside, q ≤ 0, where\n\nq(x, y, z) = a x² + 2b xy + 2c xz + 2d x + "
                     "e y² + 2f yz + 2g y + h z² + 2i z + j\n\nMind the factors of 2: x² + y² + z² - 2x is `[1, 0, 0, "
-                    "-1, 1, 0, 0, 1, 0, 0]`. Coefficients times a positive number are the same shape; times a negative "
-                    "one, inside and outside change places. q must be below 0 somewhere, and above 0 somewhere unless "
-                    "capped faces give the shape its surface: with -1 as the last coefficient and nothing else, a "
-                    "capped `clip` box is all there is. A quadric far from its origin loses digits in its "
-                    "coefficients: put it near, and move it there with a `transform`.",
+                    "-1, 1, 0, 0, 1, 0, 0]`. A positive factor leaves the shape unchanged; a negative one swaps inside "
+                    "and outside. q must be below 0 somewhere. It must also be above 0 somewhere, unless capped faces "
+                    "give the shape its surface: with -1 as the only nonzero coefficient, the last one, the shape is "
+                    "the capped `clip` box. A quadric far from its origin loses digits in its coefficients: define it "
+                    "near the origin and move it with a `transform`.",
             .keys = kKeys,
             .rules = kCapsNeedClip},
     .read = read};

@@ -1,4 +1,4 @@
-// Solids that stand on the segment from `base` to `top`: cylinders and cones.
+// Solids on the segment from `base` to `top`: cylinders and cones.
 #pragma once
 
 #include "kinds/shapes/shape_kind.h"
@@ -13,7 +13,7 @@ inline constexpr KeyDoc kTop{.name = "top",
                              .type = KeyType::Vector,
                              .range = kCoordinate,
                              .required = true,
-                             .text = "the other end; not the same point"};
+                             .text = "the other end; must differ from `base`"};
 inline constexpr KeyDoc kOpen{
     .name = "open", .type = KeyType::Flag, .defaultText = "false", .text = "leave off the caps at both ends"};
 
@@ -23,11 +23,11 @@ struct Segment {
     double height = 0;        // [m]
 };
 
-// The keys `base` and `top`. Throws Error(BadInput).
+// Reads the keys `base` and `top`. Throws Error(BadInput).
 [[nodiscard]] Segment readSegment(Reader& reader);
 
-// The solid, written about its middle with y as its axis, stood on the segment; with the key `open`. `thinnest`: its
-// least length across the axis [m]. Throws Error(BadInput).
+// Moves a solid with axis y onto the segment and reads the key `open`. `thinnest`: its least extent across the axis
+// [m]. Throws Error(BadInput).
 [[nodiscard]] Shape stood(Reader& reader, const Placement& placement, const Segment& segment, Quadric solid,
                           double thinnest);
 

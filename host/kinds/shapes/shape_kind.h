@@ -1,6 +1,6 @@
-// A type of shape in one row: what it is in the scene file and how it is read. Its records on the device are made by
-// the record() of the Shape that reading gives (object_record.h), its bounds by worldBounds (scene/model/bounds.h); the
-// reference meets it in host/reference/shapes. One file a type, or a family of types; the list is shape_kinds.h.
+// A shape type as one row: its description for the scene file and its reader. Reading gives a Shape, whose device
+// record comes from record() (object_record.h) and whose bounds come from worldBounds (scene/model/bounds.h);
+// host/reference/shapes intersects it. One file per type or family of types; shape_kinds.h lists them.
 #pragma once
 
 #include "kinds/read_key.h"
@@ -15,26 +15,26 @@
 
 namespace hyalite::kinds {
 
-// What a shape is told by what stands around it in the file, and where it puts what it has besides itself.
+// The context of a shape in the file, and where reading it puts CSG leaves, meshes and further parts.
 struct Surroundings {
-    // Reads a shape within this one, with its own `transform` and `material` applied.
+    // Reads a nested shape and applies its own `transform` and `material`.
     Object (*readShape)(const Value& value, const Surroundings& around);
     Placement placement = {};
-    std::optional<std::size_t> material = {};    // of the nearest object or csg that names one
-    std::optional<std::size_t> cutMaterial = {}; // set where the shape only cuts: goes before its own material
+    std::optional<std::size_t> material = {};    // of the innermost enclosing object or csg that names one
+    std::optional<std::size_t> cutMaterial = {}; // set if the shape is subtracted: overrides its own material
     Scene& scene;                                // for the leaves of a csg
     MeshLibrary& meshes;
-    std::vector<Object>* parts = nullptr; // where a mesh file of several parts puts them; null: they become one mesh
+    std::vector<Object>* parts = nullptr; // receives the parts of a mesh file; null: merge them into one mesh
 };
 
 struct ShapeKind {
     MapDoc doc; // without the keys `transform` and `material`, which every shape has
 
-    // The keys of one shape. Spheres, quads, disks and planes come back in world space; the others about their own
-    // centres, where the kernels' floats are finest, with the way there in their objectToWorld. Throws Error(BadInput).
+    // Reads the keys of one shape. Spheres, quads, disks and planes are returned in world space. Others are returned
+    // about their own centres, where floats are most precise, with an objectToWorld map. Throws Error(BadInput).
     Shape (*read)(Reader& reader, const Surroundings& around) = nullptr;
 
-    bool makesParts = false; // it may put several objects into Surroundings::parts
+    bool makesParts = false; // may put several objects into Surroundings::parts
 };
 
 } // namespace hyalite::kinds

@@ -1,5 +1,5 @@
-// The list of shapes. A new type of shape is a file beside this one and a row here; one that is no case of a Shape that
-// there is needs one there too (scene/model/scene.h), with bounds, a record, a kernel's function and the reference's.
+// The list of shapes. To add a shape type, add a file next to this one and a row here. If no existing alternative of
+// Shape (scene/model/scene.h) can represent it, add one, with bounds, a record, a kernel function and its reference.
 #pragma once
 
 #include "kinds/shapes/shape_kind.h"

@@ -1,4 +1,4 @@
-// The sphere. Stretched by a transform it is a quadric. Device: shaders/shapes/solids.glsl; reference:
+// The sphere; a non-uniform transform makes it a quadric. Device: shaders/shapes/solids.glsl; reference:
 // host/reference/shapes/geometry.cpp.
 #include "kinds/shapes/object_record.h"
 #include "kinds/shapes/shape_kinds.h"
@@ -18,12 +18,12 @@ constexpr KeyDoc kCenter{.name = "center", .type = KeyType::Vector, .range = kCo
 constexpr KeyDoc kRadius{.name = "radius", .range = kLength, .required = true};
 constexpr std::array kKeys{kCenter, kRadius};
 
-// The factor by which the map stretches every direction alike; none when it does not.
+// The scale factor of the map if it is uniform; nullopt otherwise.
 std::optional<double> uniformScale(const glm::dmat4& matrix) {
     const glm::dmat3 linear(matrix);
     const glm::dmat3 gram = glm::transpose(linear) * linear; // scale^2 times the identity
     const double squared = (gram[0][0] + gram[1][1] + gram[2][2]) / 3;
-    constexpr double kTolerance = 1e-9; // relative; products of a few rotations err by 1e-15
+    constexpr double kTolerance = 1e-9; // relative; products of a few rotations have errors of 1e-15
     for (int column = 0; column < 3; ++column) {
         for (int row = 0; row < 3; ++row) {
             const double expected = column == row ? squared : 0;
@@ -62,10 +62,8 @@ ObjectRecord record(const Sphere& sphere, ObjectTables& /*tables*/) {
     return r;
 }
 
-constinit const ShapeKind kSphereShape{.doc = {.type = "sphere",
-                                               .schemaName = "sphere",
-                                               .text = "The points no farther than `radius` from `center`.",
-                                               .keys = kKeys},
-                                       .read = read};
+constinit const ShapeKind kSphereShape{
+    .doc = {.type = "sphere", .schemaName = "sphere", .text = "The points within `radius` of `center`.", .keys = kKeys},
+    .read = read};
 
 } // namespace hyalite::kinds

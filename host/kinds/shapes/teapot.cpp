@@ -1,4 +1,4 @@
-// The Utah teapot, a mesh.
+// The Utah teapot as a mesh.
 #include "scene/import/teapot.h"
 #include "kinds/shapes/place_mesh.h"
 #include "kinds/shapes/shape_kinds.h"

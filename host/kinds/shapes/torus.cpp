@@ -15,9 +15,9 @@ constexpr KeyDoc kAxis{.name = "axis",
                        .type = KeyType::Vector,
                        .range = kDirection,
                        .defaultText = "[0, 1, 0]",
-                       .text = "direction of the shape's y axis, of any length but 0"};
+                       .text = "direction of the shape's y axis, any nonzero length"};
 constexpr KeyDoc kMajor{
-    .name = "major", .range = kLength, .required = true, .text = "from the axis to the middle of the tube"};
+    .name = "major", .range = kLength, .required = true, .text = "distance from the axis to the middle of the tube"};
 constexpr KeyDoc kMinor{.name = "minor",
                         .range = kLength,
                         .required = true,
@@ -35,7 +35,7 @@ Shape read(Reader& reader, const Surroundings& around) {
     minor.read(torus.minor, kMinor.range);
     if (!(torus.minor < torus.major)) {
         minor.fail("'minor' must be less than 'major', " + numberText(torus.major) + " m",
-                   "the ring would run through its own axis");
+                   "otherwise the tube would intersect the axis");
     }
     torus.objectToWorld = placed(around.placement, center, axis);
     checkThickness(around.placement, torus.minor);
@@ -55,8 +55,8 @@ ObjectRecord record(const Torus& torus, ObjectTables& /*tables*/) {
 constinit const ShapeKind kTorusShape{
     .doc = {.type = "torus",
             .schemaName = "torus",
-            .text = "A ring: the points no farther than `minor` from a circle of radius `major` about the axis. With y "
-                    "as its axis, (√(x² + z²) - `major`)² + y² ≤ `minor`².",
+            .text = "A ring: the points within `minor` of a circle of radius `major` about the axis. About the y axis, "
+                    "(√(x² + z²) - `major`)² + y² ≤ `minor`².",
             .keys = kKeys},
     .read = read};
 

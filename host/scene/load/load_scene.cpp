@@ -1,4 +1,4 @@
-// See load_scene.h. The top of the format: its sections, objects, and what a scene as a whole must have.
+// See load_scene.h. The top level of the format: its sections, its objects, and the checks of the whole scene.
 #include "scene/load/load_scene.h"
 
 #include "base/input_file.h"
@@ -32,20 +32,21 @@ void checkVersion(const Value& version) {
 }
 
 void readTextures(const Value& value, const std::filesystem::path& folder, Scene& scene) {
-    const Reader map(value); // as of the materials
+    const Reader map(value); // checks that this is a map; its keys are the names of the textures
     for (const YamlEntry& entry : map.map().node().entries) {
         scene.textures.push_back(readTexture(Value(*entry.value, value.file(), entry.key), folder));
     }
 }
 
 void readMaterials(const Value& value, Scene& scene) {
-    const Reader map(value); // for its check that this is a map: the keys are names of the user's choice
+    const Reader map(value); // checks that this is a map; its keys are the names of the materials
     for (const YamlEntry& entry : map.map().node().entries) {
         scene.materials.push_back(readMaterial(Value(*entry.value, value.file(), entry.key), scene));
     }
 }
 
-// Where the copies of an object stand: its own place, moved on by every product of powers of the maps in `repeat`.
+// The transforms of an object's copies: each item of `repeat` multiplies the places so far by powers 0 .. count - 1 of
+// its map.
 std::vector<glm::dmat4> readRepeat(const Value& value) {
     std::vector<glm::dmat4> places{glm::dmat4(1)};
     for (const Value& item : value.list()) {
@@ -69,7 +70,7 @@ std::vector<glm::dmat4> readRepeat(const Value& value) {
     return places;
 }
 
-// The object at one place; several where it shows a mesh file of several parts.
+// Reads the object at one place; a mesh file of several parts gives several objects.
 std::vector<Object> readCopy(const Value& value, const glm::dmat4& place, Scene& scene, MeshLibrary& meshes) {
     Reader reader(value);
     const Value shape = reader.require("shape");
@@ -95,7 +96,7 @@ std::vector<Object> readCopy(const Value& value, const glm::dmat4& place, Scene&
         if (emission.where) {
             kinds::checkEmission(*emission.where, object.shape, scene);
         }
-        // The shapes within a csg have answered for themselves
+        // The shapes in a csg were checked when they were read
         if (!object.material && !emission.where && !std::holds_alternative<Csg>(object.shape)) {
             value.fail("this object has neither a material nor an emission",
                        "for a black object use a diffuse material of albedo 0");
@@ -116,7 +117,7 @@ std::vector<Object> readObject(const Value& value, Scene& scene, MeshLibrary& me
     return objects;
 }
 
-// What no single key can break.
+// Checks that concern the scene as a whole.
 void checkScene(const Value& root, const Scene& scene) {
     const bool emits = std::any_of(scene.objects.begin(), scene.objects.end(),
                                    [](const Object& object) { return object.emission != glm::dvec3(0); });

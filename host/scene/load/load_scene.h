@@ -1,5 +1,5 @@
-// Scene file (YAML, hence JSON too) to Scene. The format is described in docs/scene-format.md and by the JSON Schema
-// scenes/hyalite.schema.json.
+// Loads a scene file (YAML, hence JSON too) as a Scene. docs/scene-format.md and the JSON Schema
+// scenes/hyalite.schema.json describe the format.
 #pragma once
 
 #include "scene/model/scene.h"
@@ -8,8 +8,8 @@
 
 namespace hyalite {
 
-// Reads a scene and the meshes it names (paths relative to the scene file).
-// Throws Error(BadInput) with file:line:column at the first mistake; unknown keys are mistakes.
+// Reads a scene and the files it names (paths relative to the scene file).
+// Throws Error(BadInput) with file:line:column at the first mistake; an unknown key is a mistake.
 [[nodiscard]] Scene loadScene(const std::filesystem::path& file);
 
 } // namespace hyalite

@@ -1,4 +1,4 @@
-// See read_lights.h. The lights are the rows of kinds/lights/light_kinds.h.
+// See read_lights.h. The known lights are the rows of kinds/lights/light_kinds.h.
 #include "scene/load/read_lights.h"
 
 #include "kinds/lights/light_kinds.h"

@@ -1,4 +1,4 @@
-// The scene file's lights that are not objects.
+// Reads the scene file's lights that are not objects.
 #pragma once
 
 #include "scene/model/scene.h"
@@ -8,7 +8,7 @@
 
 namespace hyalite {
 
-// One item of `lights:`, added to the scene; the paths of images are relative to `folder`. Throws Error(BadInput).
+// Reads one item of `lights:` and adds it to the scene; image paths are relative to `folder`. Throws Error(BadInput).
 void readLight(const Value& value, const std::filesystem::path& folder, Scene& scene);
 
 } // namespace hyalite

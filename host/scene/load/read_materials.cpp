@@ -1,4 +1,4 @@
-// See read_materials.h. The materials are the rows of kinds/materials/material_kinds.h.
+// See read_materials.h. The known materials are the rows of kinds/materials/material_kinds.h.
 #include "scene/load/read_materials.h"
 
 #include "kinds/materials/material_kinds.h"

@@ -1,4 +1,4 @@
-// The scene file's materials.
+// Reads the scene file's materials.
 #pragma once
 
 #include "scene/model/scene.h"
@@ -6,7 +6,7 @@
 
 namespace hyalite {
 
-// One entry of `materials:`; the scene has its textures. Throws Error(BadInput).
+// Reads one entry of `materials:`; the scene's textures must be loaded. Throws Error(BadInput).
 [[nodiscard]] Material readMaterial(const Value& value, const Scene& scene);
 
 } // namespace hyalite

@@ -1,4 +1,4 @@
-// See read_shapes.h. The shapes are the rows of kinds/shapes/shape_kinds.h.
+// See read_shapes.h. The known shapes are the rows of kinds/shapes/shape_kinds.h.
 #include "scene/load/read_shapes.h"
 
 #include "kinds/shapes/shape_kinds.h"
@@ -17,7 +17,7 @@ Object readShape(const Value& value, const kinds::Surroundings& around) {
     Reader reader(value);
     const kinds::ShapeKind& kind = *choose<const kinds::ShapeKind*>(reader.require("type"), "shape", choices);
     kinds::Surroundings inner = around;
-    inner.parts = kind.makesParts ? around.parts : nullptr; // within a csg a mesh file is one solid
+    inner.parts = kind.makesParts ? around.parts : nullptr; // in a csg a mesh file is one solid
     if (const auto transform = reader.find("transform")) {
         inner.placement = {readTransform(*transform, around.placement.objectToWorld), transform};
     }

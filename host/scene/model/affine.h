@@ -1,12 +1,12 @@
-// Affine maps that shapes are placed by.
+// Affine maps that place shapes.
 #pragma once
 
 #include <glm/glm.hpp>
 
 namespace hyalite {
 
-// Whether the map has an inverse that floats can hold: no direction is shrunk or stretched beyond the range of
-// lengths, and no two axes fall together.
+// Whether the map has an inverse that floats can represent: it scales no direction beyond the range of lengths, and its
+// image of the axes is not flat.
 [[nodiscard]] bool isInvertible(const glm::dmat4& matrix);
 
 } // namespace hyalite

@@ -29,7 +29,7 @@ Bounds shapeBounds(const Scene& scene, const MeshInstance& instance) {
     return meshBounds(scene.meshes[instance.mesh], instance.objectToWorld);
 }
 
-// As a solid: a plane is the half-space behind it.
+// Bounds of the leaf as a solid: a plane is the half-space behind it.
 Bounds leafBounds(const Scene& scene, const Object& leaf) {
     const auto* plane = std::get_if<Plane>(&leaf.shape);
     if (plane == nullptr) {
@@ -112,7 +112,7 @@ Bounds worldBounds(const Disk& disk) {
 }
 
 Bounds worldBounds(const Torus& torus) {
-    // A ball that runs along a circle: each reaches along a world axis as far as its own image does.
+    // A ball swept along a circle: its extent along a world axis is that of the circle's image plus the ball's image.
     const glm::dmat3 rows = glm::transpose(glm::dmat3(torus.objectToWorld));
     Bounds box{glm::dvec3(torus.objectToWorld[3]), glm::dvec3(torus.objectToWorld[3])};
     for (int axis = 0; axis < 3; ++axis) {
@@ -152,7 +152,7 @@ LightSphere lightSphere(const Scene& scene) {
         box.add(scene.camera.position);
         box.add(scene.camera.lookAt);
     }
-    // A little wider than the box's corners: what touches the sphere is reached too
+    // A little wider than the box's corners, so that discs also cover what touches the sphere
     const double radius = 0.501 * glm::length(box.high - box.low);
     return {.center = 0.5 * (box.low + box.high), .radius = radius, .distance = allEnd ? radius : 16 * radius};
 }

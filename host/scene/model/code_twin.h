@@ -1,5 +1,5 @@
-// What a twin is: a function of a scene's own GLSL written again in C++, in double precision. A shared object that
-// defines hyaliteTwin holds one; docs/experiments.md says how to write it. This header is all that it needs of hyalite.
+// A twin is the double-precision C++ version of a function in a scene's GLSL. A shared object that defines hyaliteTwin
+// holds one; docs/experiments.md tells how to write it. It needs no other header of hyalite.
 #pragma once
 
 #include <cstdint>
@@ -7,19 +7,19 @@
 
 namespace hyalite {
 
-// Of a point of the world [m], its surface coordinates and the scene's parameters: share of the light reflected.
+// Fraction of light reflected at a world position [m] with surface coordinates (u, v), given the scene's parameters.
 using TextureTwin = glm::dvec3 (*)(const glm::dvec3& position, const glm::dvec2& uv, const glm::dvec4& parameters);
 
-// Of the cosine between the light and a facet's normal, and the scene's parameters: share of the light reflected.
+// Fraction of light reflected, by the cosine between light and facet normal, given the scene's parameters.
 using ReflectanceTwin = glm::dvec3 (*)(double cosine, const glm::dvec4& parameters);
 
 struct CodeTwin {
-    static constexpr std::uint32_t kLayout = 1; // another number whenever this struct changes
+    static constexpr std::uint32_t kLayout = 1; // increment whenever this struct changes
 
     std::uint32_t layout = kLayout;
     const char* function = nullptr; // its name in GLSL
-    std::uint64_t codeHash = 0;     // fnv() of the bytes of the GLSL file that it was written after
-    // One of the two.
+    std::uint64_t codeHash = 0;     // fnv() of the bytes of the GLSL file that it reproduces
+    // Exactly one is set.
     TextureTwin texture = nullptr;
     ReflectanceTwin reflectance = nullptr;
 };

@@ -1,5 +1,5 @@
-// The integrators as scene files and command lines name them, and what can be said of each without rendering. A row
-// here and one of the same name in render/integrators/registry.cpp make an integrator.
+// The integrators by name, with all that is known of each without rendering. An integrator is a row here and a row of
+// the same name in render/integrators/registry.cpp.
 #pragma once
 
 #include <algorithm>
@@ -11,20 +11,20 @@
 
 namespace hyalite {
 
-// Where the camera paths of an integrator go from a surface. By default they end at diffuse ones, and follow one of
-// several directions elsewhere, picked at random.
+// How an integrator continues camera paths at a surface. By default a path ends at a diffuse surface and elsewhere
+// follows one randomly selected direction.
 struct CameraPathRules {
-    bool followsAllWays = false;   // reflection and refraction both; max_depth counts these, not the path's segments
-    bool bouncesAtDiffuse = false; // on from diffuse surfaces too
+    bool followsAllWays = false;   // follows both reflection and refraction; max_depth counts these, not segments
+    bool bouncesAtDiffuse = false; // continues at diffuse surfaces too
 };
 
 struct IntegratorRow {
-    std::string_view name; // of render.integrator
+    std::string_view name; // value of render.integrator
     std::string_view text; // one line, no full stop
     CameraPathRules cameraPaths = {};
-    std::array<std::string_view, 20> settings = {}; // keys of `render` that it reads and not every integrator does
+    std::array<std::string_view, 20> settings = {}; // the keys of `render` that it reads but some integrators do not
 
-    [[nodiscard]] constexpr bool reads(std::string_view setting) const { // of those keys
+    [[nodiscard]] constexpr bool reads(std::string_view setting) const { // whether `settings` has the key
         return !setting.empty() && std::ranges::find(settings, setting) != settings.end();
     }
 };
@@ -55,13 +55,13 @@ inline constexpr auto kIntegratorNames = [] {
     return names;
 }();
 
-// The row of that name. Throws Error(WrongUsage) where there is none.
+// The row of that name. Throws Error(WrongUsage) if there is none.
 [[nodiscard]] const IntegratorRow& integratorNamed(std::string_view name);
 
-// Names of the integrators that read that key of `render`; empty: all of them do.
+// Names of the integrators that read this key of `render`; empty: all integrators read it.
 [[nodiscard]] std::vector<std::string> readersOf(std::string_view setting);
 
-// The row whose integrator alone reads that key of `render`; nullptr: none, or several.
+// The row of the only integrator that reads this key of `render`; nullptr: all read it, or several.
 [[nodiscard]] const IntegratorRow* soleReader(std::string_view setting);
 
 } // namespace hyalite

@@ -1,5 +1,5 @@
-// What a surface is made of: a value that holds the parameters of any BSDF model, and a builder for each of the first
-// ones.
+// The parameters of a surface's BSDF: MaterialModel holds those of any model; the structs below it each build one
+// model.
 #pragma once
 
 #include "scene/model/code_twin.h"
@@ -12,19 +12,19 @@
 
 namespace hyalite {
 
-// Code in GLSL that a scene brings along.
+// Custom GLSL code of a scene.
 struct CustomCode {
     std::string function; // its name
-    std::string file;     // where it stands
+    std::string file;     // its path
     int line = 1;         // of the function's definition
     std::string text;
-    std::shared_ptr<const CodeTwin> twin = {}; // what the reference runs in its place; null: nothing
-    std::string twinRefused = {};              // the file of a twin of this function that is of other text; empty: none
+    std::shared_ptr<const CodeTwin> twin = {}; // what the reference runs instead; null: no twin
+    std::string twinRefused = {};              // file of a twin for this function but for different code; empty: none
 };
 
-// The fields are those of the device's MaterialRecord; `function` and the textures stand in the Material.
+// Same fields as the device's MaterialRecord, except `function` and the textures; the textures are in the Material.
 struct MaterialModel : shared::MaterialFields<double, glm::dvec3, glm::dvec4> {
-    std::shared_ptr<const CustomCode> code; // custom: its function
+    std::shared_ptr<const CustomCode> code; // custom model only: its function
 
     MaterialModel() : MaterialModel(shared::kMaterialAbsorber) {}
     explicit MaterialModel(std::uint32_t model, const glm::dvec3& ofColor = glm::dvec3(0)) : MaterialFields{} {
@@ -57,7 +57,7 @@ struct Dielectric {
         return model;
     }
 };
-struct Conductor { // metal of the complex index eta + i k
+struct Conductor { // metal of complex refractive index eta + i k
     glm::dvec3 eta{1};
     glm::dvec3 k{0};
     double roughness = 0; // [0, 1]
@@ -82,7 +82,7 @@ struct MetallicRoughness {     // glTF's model: a metal, a diffuse base under a 
         return model;
     }
 };
-// A surface that reflects, smooth or by microfacets, the share that vec3 function(float cosine, vec4 parameters) gives.
+// A smooth or microfacet reflector; vec3 function(float cosine, vec4 parameters) gives the fraction of light reflected.
 struct CustomReflectance {
     std::shared_ptr<const CustomCode> code;
     glm::dvec4 parameters{0};

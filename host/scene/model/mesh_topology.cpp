@@ -11,18 +11,18 @@
 namespace hyalite {
 namespace {
 
-// All edges as they are kept at their lower vertex: the other one, and whether the triangle runs towards the lower.
+// All edges, stored at their lower vertex: the other vertex, and whether the triangle runs from higher to lower.
 class EdgeTable {
 public:
     EdgeTable(const Mesh& mesh, const std::vector<std::uint32_t>& vertex) : ends_(mesh.positions.size() + 1, 0) {
-        // Count, sum up, scatter: each vertex then owns a run of entries.
+        // Count, prefix sum, scatter: each vertex then owns a run of entries.
         forEachEdge(mesh, vertex, [&](std::uint32_t from, std::uint32_t to) { ++ends_[std::min(from, to) + 1]; });
         for (std::size_t i = 1; i < ends_.size(); ++i) {
             ends_[i] += ends_[i - 1];
         }
         entries_.resize(ends_.back());
         forEachEdge(mesh, vertex, [&](std::uint32_t from, std::uint32_t to) {
-            // ends_[v] runs from the beginning of v's run to its end, which is where that of v + 1 begins.
+            // ends_[v] advances from the beginning of v's run to its end, which is the beginning of the run of v + 1.
             entries_[ends_[std::min(from, to)]++] = std::max(from, to) << 1U | (from > to ? 1U : 0U);
         });
     }
@@ -35,7 +35,7 @@ public:
                       entries_.begin() + static_cast<std::ptrdiff_t>(end));
             while (begin < end) {
                 const std::uint32_t high = entries_[begin] >> 1U;
-                std::ptrdiff_t balance = 0; // runs from low to high, less those back
+                std::ptrdiff_t balance = 0; // triangles that run from low to high, minus those from high to low
                 for (; begin < end && entries_[begin] >> 1U == high; ++begin) {
                     balance += (entries_[begin] & 1U) == 0 ? 1 : -1;
                 }
@@ -78,7 +78,7 @@ double signedVolume(const Mesh& mesh) {
     if (mesh.triangles.empty()) {
         return 0;
     }
-    // Tetrahedra from a point of the mesh, not from the origin, which may be far away.
+    // Sum of tetrahedra with their apex on the mesh, not at the origin, which may be far away.
     const glm::dvec3 apex = mesh.positions[mesh.triangles[0].x];
     double sixfold = 0;
     for (const glm::uvec3& triangle : mesh.triangles) {

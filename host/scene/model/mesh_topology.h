@@ -1,4 +1,4 @@
-// Whether a mesh bounds a solid: only then is there an inside, which CSG asks for.
+// Tests whether a mesh bounds a solid and so has an inside, which CSG needs.
 #pragma once
 
 #include "scene/model/scene.h"
@@ -9,16 +9,16 @@
 namespace hyalite {
 
 struct OpenEdge {
-    glm::vec3 from; // object space [m], in the direction in which a triangle runs along it
+    glm::vec3 from; // object space [m]; a triangle runs along the edge from here to `to`
     glm::vec3 to;
 };
 
-// An edge that triangles run along more often in one direction than in the other; none: the mesh is closed, and every
-// point off it has one winding number. Positions of equal value are one vertex, and triangles with two such corners
-// count for nothing. A mesh without triangles is closed and bounds nothing.
+// An edge that triangles run along more often in one direction than in the other; nullopt: the mesh is closed, so every
+// point off its surface has a winding number. Equal positions are one vertex; a triangle with two equal corners is
+// ignored. A mesh without triangles is closed and encloses nothing.
 [[nodiscard]] std::optional<OpenEdge> findOpenEdge(const Mesh& mesh);
 
-// The volume that the triangles of a closed mesh enclose [m^3]: negative where they face inward.
+// The volume that a closed mesh encloses [m^3]; negative if its triangles face inward.
 [[nodiscard]] double signedVolume(const Mesh& mesh);
 [[nodiscard]] bool isInsideOut(const Mesh& mesh);
 

@@ -1,4 +1,4 @@
-// See mesh_weld.h. A hash table with linear probing: linear in time, 8 to 16 bytes a position beside the result.
+// See mesh_weld.h. A hash table with linear probing: linear time, 8 to 16 bytes per position besides the result.
 #include "scene/model/mesh_weld.h"
 
 #include <bit>
@@ -46,7 +46,7 @@ void weldVertices(Mesh& mesh) {
             mesh.positions[kept] = mesh.positions[i];
             index[i] = kept++;
         } else {
-            index[i] = index[index[i]]; // the first one's place is known already
+            index[i] = index[index[i]]; // the first equal position already has its new index
         }
     }
     mesh.positions.resize(kept);

@@ -1,4 +1,4 @@
-// Which vertices of a mesh stand in the same place: files and smooth normals repeat positions.
+// Finds the vertices of a mesh with equal positions: files and smooth normals repeat positions.
 #pragma once
 
 #include "scene/model/scene.h"
@@ -10,10 +10,10 @@
 
 namespace hyalite {
 
-// For each position the index of the first one of equal value (0 equals -0); positions are finite, fewer than 2^31.
+// For each position the index of the first equal one (0 equals -0). Positions must be finite and fewer than 2^31.
 [[nodiscard]] std::vector<std::uint32_t> weldPositions(std::span<const glm::vec3> positions);
 
-// Merges positions of equal value in a mesh that has nothing else per position; the first of them keep their order.
+// Merges equal positions of a mesh without other per-vertex data; the remaining positions keep their order.
 void weldVertices(Mesh& mesh);
 
 } // namespace hyalite

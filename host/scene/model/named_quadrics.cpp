@@ -28,7 +28,7 @@ Quadric cylinderQuadric(double radius, double height) {
 }
 
 Quadric coneQuadric(double baseRadius, double topRadius, double height) {
-    // The radius at y is m + k y, where m is that of the smaller end: x^2 + z^2 - (m + k y)^2.
+    // The radius at y is m + k y, with m the radius of the smaller end: q = x^2 + z^2 - (m + k y)^2.
     const bool isTopSmaller = topRadius < baseRadius;
     const double m = isTopSmaller ? topRadius : baseRadius;
     const double k = (topRadius - baseRadius) / height;

@@ -1,5 +1,4 @@
-// The quadrics that have names, about their own centres with y as their axis. Each is q <= 0 inside, and its largest
-// coefficient has magnitude 1.
+// The named quadrics, centred at the origin with axis y. q <= 0 inside; the largest coefficient has magnitude 1.
 #pragma once
 
 #include "scene/model/scene.h"
@@ -8,11 +7,11 @@
 
 namespace hyalite {
 
-// No surface of its own, only the faces of its clip box.
+// The faces of its clip box are its only surface.
 [[nodiscard]] Quadric boxQuadric(const glm::dvec3& halfSize);
 
-// Solids with caps from a base at the world's origin to a top at `height` on the y axis. Their object space is about
-// the cylinder's middle, and about the cone's smaller end: a point, or near it where q would lose digits.
+// Capped solids from a base at the world's origin to a top at `height` on the y axis. The origin of object space is the
+// cylinder's middle or the cone's smaller end: at or near the apex, where q would otherwise lose digits.
 [[nodiscard]] Quadric cylinderQuadric(double radius, double height);
 [[nodiscard]] Quadric coneQuadric(double baseRadius, double topRadius, double height);
 

@@ -82,13 +82,13 @@ dvec3 halfGradient(const QuadricForm& form, const dvec3& point) {
 }
 
 dvec3 formCenter(const QuadricForm& form) {
-    // Along eigenvectors q is a sum of v s^2 + 2 b s; each is least or greatest at -b / v. Where v is 0, q is the same
-    // all along or, if b is not 0, slopes: then the vertex is where q is 0.
+    // Along eigenvectors q is a sum of terms v s^2 + 2 b s, each with its extremum at -b / v. If v is 0, the term is 0
+    // or, for nonzero b, linear: then the vertex is where q is 0.
     const Eigensystem e = eigensystem(quadraticPart(form));
     const dvec3 b = glm::transpose(e.vectors) * linearPart(form);
     const dvec3 magnitude = glm::abs(e.values);
     const double largest = std::max({magnitude.x, magnitude.y, magnitude.z});
-    constexpr double kZero = 1e-9; // of the largest: an axis of a cylinder or paraboloid, up to rounding
+    constexpr double kZero = 1e-9; // relative to the largest: the axis of a cylinder or paraboloid, up to rounding
     dvec3 center(0);
     dvec3 slope(0);
     for (int axis = 0; axis < 3; ++axis) {
@@ -100,16 +100,15 @@ dvec3 formCenter(const QuadricForm& form) {
     }
     center = e.vectors * center;
     const double slope2 = glm::dot(slope, slope);
-    if (slope2 > 0) { // q changes by 2 |slope|^2 for each `slope` gone
+    if (slope2 > 0) { // a step of `slope` changes q by 2 |slope|^2
         center -= e.vectors * slope * (evaluate(form, center) / (2 * slope2));
     }
     return center;
 }
 
 Extremes extremes(const QuadricForm& form, const Bounds& finite) {
-    // On a box, one of its faces, edges or corners q is least and greatest where its derivatives along it vanish, if
-    // that point is unique and lies on it, or else on what bounds it. Each axis is at its low end, at its high end or
-    // free.
+    // The extremes of q lie where its derivatives along the box, one of its faces, edges or corners vanish, at a unique
+    // point inside that part. The 27 parts: along each axis, the low end, the high end or free.
     const dmat3 A = quadraticPart(form);
     const dvec3 b = linearPart(form);
     Extremes result{kInfinite, -kInfinite};

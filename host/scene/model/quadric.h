@@ -1,4 +1,4 @@
-// Surfaces of second degree: the coefficients of the named forms, their transforms, and how far they reach.
+// Quadrics, surfaces of second degree: coefficients, transforms, extremes and bounds.
 #pragma once
 
 #include "scene/model/scene.h"
@@ -11,7 +11,7 @@ namespace hyalite {
 [[nodiscard]] glm::dmat4 quadricMatrix(const QuadricForm& form);
 [[nodiscard]] QuadricForm quadricForm(const glm::dmat4& symmetric);
 
-// Of q(p) = p^T A p + 2 b^T p + j, A and b.
+// A and b of q(p) = p^T A p + 2 b^T p + j.
 [[nodiscard]] glm::dmat3 quadraticPart(const QuadricForm& form);
 [[nodiscard]] glm::dvec3 linearPart(const QuadricForm& form);
 
@@ -23,32 +23,31 @@ namespace hyalite {
 // Half the gradient of q.
 [[nodiscard]] glm::dvec3 halfGradient(const QuadricForm& form, const glm::dvec3& point);
 
-// The same set and surface: divided by the largest coefficient's magnitude. Some coefficient must not be 0.
+// The form divided by its largest coefficient's magnitude, which leaves the shape unchanged. Not all may be 0.
 [[nodiscard]] QuadricForm normalised(const QuadricForm& form);
 
-// A box around {q <= 0} alone: exact where that is an ellipsoid, with infinite sides along the axes in which an
-// elliptic cylinder along an axis has no end, and everything otherwise.
+// A box around {q <= 0}, without a clip box: exact for an ellipsoid, infinite along the axis of an elliptic cylinder
+// parallel to an axis, and everything otherwise.
 [[nodiscard]] Bounds formBounds(const QuadricForm& form);
 
-// A box around the shape, in object space and in world space: finite too where the clip box ends the shape along one
-// axis and q, across it, is an ellipse.
+// A box around the shape, in object space and in world space: also finite if the clip box bounds the shape along one
+// axis and its cross-sections are ellipses.
 [[nodiscard]] Bounds objectBounds(const Quadric& quadric);
 [[nodiscard]] Bounds worldBounds(const Quadric& quadric);
 
 // The smallest box around the image of a box.
 [[nodiscard]] Bounds transformed(const Bounds& box, const glm::dmat4& map);
 
-// The shape with a clip box that is finite wherever the shape itself ends. Where it had no side and the shape needs
-// none, the new one lies a little outside and touches nothing. A clip box without sides stays: it leaves the surface
-// closed.
+// The shape with a clip box that is finite wherever the shape is bounded. An added side lies a little outside the shape
+// and does not touch it. A clip box without any side is kept: the surface of q is then closed by itself.
 [[nodiscard]] Quadric withFiniteClip(Quadric quadric);
 
-// Points that lie in both boxes; empty (low > high along some axis) where there are none.
+// The intersection of two boxes; empty (low > high along some axis) if they do not meet.
 [[nodiscard]] Bounds intersection(const Bounds& a, const Bounds& b);
 [[nodiscard]] bool isEmpty(const Bounds& box);
 
-// The point that q is best written about: the centre of an ellipsoid, hyperboloid or pair of planes, the vertex of a
-// cone or paraboloid; where these are lines or planes, the point of them nearest to the origin; of a plane too.
+// The best origin for the coefficients of q: the centre of an ellipsoid, hyperboloid or pair of planes, the vertex of a
+// cone or paraboloid; if the centre is a line or plane, its point nearest to the origin; likewise for a plane.
 [[nodiscard]] glm::dvec3 formCenter(const QuadricForm& form);
 
 // The least and the greatest value of q within a box.

@@ -1,4 +1,4 @@
-// How far quadrics reach; see quadric.h.
+// Bounds of quadrics; see quadric.h.
 #include "scene/model/quadric.h"
 
 #include <algorithm>
@@ -18,8 +18,8 @@ using glm::dvec3;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-// A symmetric matrix with a determinant below this, relative to its diagonal's product, may be singular but for
-// rounding: its ellipse or ellipsoid may have no end.
+// A symmetric matrix whose determinant is below this, relative to the product of its diagonal, may be singular up to
+// rounding: its ellipse or ellipsoid may be unbounded.
 constexpr double kSingular = 1e-12;
 
 bool isEllipse(double a, double b, double c) { // a x^2 + 2b xy + c y^2 = 1
@@ -31,8 +31,8 @@ bool isEllipsoid(const dmat3& A) {
     return isEllipse(A[0][0], A[0][1], A[1][1]) && A[2][2] > 0 && glm::determinant(A) > kSingular * diagonal;
 }
 
-// The sections of {q <= 0} across an axis: at s along it (p - c)^T B (p - c) <= k with c = c0 + s c1 and
-// k = k0 + 2 k1 s + k2 s^2.
+// The cross-sections of {q <= 0} perpendicular to an axis: at s along the axis, (p - c)^T B (p - c) <= k with
+// c = c0 + s c1 and k = k0 + 2 k1 s + k2 s^2.
 struct Sections {
     dmat2 inverseB;
     dvec2 c0;
@@ -63,7 +63,7 @@ std::optional<Sections> ellipticSections(const QuadricForm& form, int axis) {
                     .k2 = glm::dot(b1, inverse * b1) - A[axis][axis]};
 }
 
-// The part of [low, high] from the first to the last s with k(s) >= 0; empty (low > high) where there is none.
+// Shrinks [low, high] to the part from the first to the last s with k(s) >= 0; empty (low > high) if there is none.
 void keepSections(const Sections& sections, double& low, double& high) {
     const auto [k0, k1, k2] = std::array{sections.k0, sections.k1, sections.k2};
     if (k2 == 0) {
@@ -87,13 +87,13 @@ void keepSections(const Sections& sections, double& low, double& high) {
     if (k2 < 0) {
         low = std::max(low, first);
         high = std::min(high, last);
-    } else { // between the roots nothing is
+    } else { // there are no sections between the roots
         low = low > first && low < last ? last : low;
         high = high > first && high < last ? first : high;
     }
 }
 
-// Makes the box smaller where q has ellipses across an axis and the box an end along it.
+// Shrinks the box if the cross-sections of q are ellipses and the box is bounded along the axis.
 void shrinkBySections(const QuadricForm& form, int axis, Bounds& box) {
     const auto sections = ellipticSections(form, axis);
     if (!sections) {
@@ -105,7 +105,8 @@ void shrinkBySections(const QuadricForm& form, int axis, Bounds& box) {
     if (!(low <= high) || !std::isfinite(high - low)) {
         return;
     }
-    // k is largest at an end or at its vertex; a box around the centres, grown by what that reaches, holds all sections
+    // k is largest at an end or at its vertex. A box around the centres, grown by the largest section's extent, holds
+    // all sections
     double largest = std::max(sections->k(low), sections->k(high));
     if (sections->k2 < 0) {
         largest = std::max(largest, sections->k(std::clamp(-sections->k1 / sections->k2, low, high)));
@@ -124,8 +125,8 @@ void shrinkBySections(const QuadricForm& form, int axis, Bounds& box) {
 } // namespace
 
 Bounds formBounds(const QuadricForm& q) {
-    // About its centre an ellipsoid is p^T A p <= k; along axis i it reaches sqrt(k (A^-1)_ii). A row of zeros in A and
-    // b is a direction in which nothing changes; what is left is an ellipse in the other two.
+    // About its centre an ellipsoid is p^T A p <= k; its extent along axis i is sqrt(k (A^-1)_ii). Along an axis with a
+    // zero row in A and b, q is constant; an ellipse in the other two axes remains.
     dmat3 A = quadraticPart(q);
     const dvec3 b = linearPart(q);
     glm::bvec3 endless(false);
@@ -163,7 +164,7 @@ Bounds transformed(const Bounds& box, const dmat4& map) {
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {
             const double factor = map[column][row];
-            if (factor != 0) { // zero times an infinite side is nothing
+            if (factor != 0) { // 0 times an infinite side counts as 0
                 image.low[row] += std::min(factor * box.low[column], factor * box.high[column]);
                 image.high[row] += std::max(factor * box.low[column], factor * box.high[column]);
             }
@@ -185,8 +186,8 @@ Bounds worldBounds(const Quadric& quadric) {
     if (isEmpty(box)) {
         return {};
     }
-    // A turned ellipsoid is narrower than the turned box around it. About the object's origin, for far from its centre
-    // a form loses digits.
+    // The bounds of a rotated ellipsoid are tighter than those of its rotated box. The form stays about the object's
+    // origin, because it loses digits far from its centre.
     const dvec3 origin(quadric.objectToWorld[3]);
     const Bounds turned = formBounds(transformed(quadric.form, dmat4(dmat3(quadric.objectToWorld))));
     return intersection(transformed(box, quadric.objectToWorld), {turned.low + origin, turned.high + origin});
@@ -197,7 +198,7 @@ Quadric withFiniteClip(Quadric quadric) {
         return quadric;
     }
     const Bounds box = objectBounds(quadric);
-    constexpr double kPadding = 1.0 / 256; // of the extent: far above what rounding can do
+    constexpr double kPadding = 1.0 / 256; // relative to the extent: far above rounding errors
     const dvec3 padding = kPadding * (box.high - box.low);
     for (int axis = 0; axis < 3; ++axis) {
         if (std::isfinite(padding[axis])) {

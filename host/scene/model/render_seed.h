@@ -1,4 +1,4 @@
-// What the random numbers of a picture are derived from, for both backends.
+// The seed from which both backends derive the random numbers of a picture.
 #pragma once
 
 #include "scene/model/scene.h"

@@ -1,5 +1,5 @@
-// The scene as a scene file describes it: plain values in double precision, units in the comments. Device buffers
-// and the reference renderer are both made from it.
+// The scene as a scene file describes it: plain values in double precision, units in the comments. Both the device
+// buffers and the reference renderer are built from it.
 #pragma once
 
 #include "base/error.h"
@@ -24,7 +24,7 @@ struct Camera {
     glm::dvec3 up{0, 1, 0};
     double fov = 45;          // vertical [degrees], in (0, 180)
     double aperture = 0;      // diameter of the lens [m]; 0: a pinhole
-    double focusDistance = 0; // along the view to the plane that is sharp [m]; 0: that of lookAt
+    double focusDistance = 0; // along the view to the plane in focus [m]; 0: the distance of lookAt
     glm::uvec2 resolution{512, 512};
 };
 
@@ -37,46 +37,47 @@ enum class PhotonView { Picture, GlobalMap, CausticMap, Photons, Radius };
 
 struct PhotonMapSettings {
     std::uint32_t causticPhotons = 100000; // aimed at mirrors and glass, besides RenderSettings::photons; 0: none
-    bool projectionMap = true;             // aim them; false: emit them like the others
+    bool projectionMap = true;             // aim the caustic photons; false: emit them like the others
     PhotonStructure structure = PhotonStructure::Tree;
-    std::uint32_t nearest = 50;        // photons of one estimate from the global map
-    std::uint32_t causticNearest = 60; // and from the caustic map
-    double causticRadius = 0;          // they lie no farther than this [m]; 0: 1/25 of the radius of the scene's sphere
+    std::uint32_t nearest = 50;        // photons in an estimate from the global map
+    std::uint32_t causticNearest = 60; // photons in an estimate from the caustic map
+    double causticRadius = 0; // largest radius of that estimate [m]; 0: 1/25 of the scene's bounding sphere's radius
     PhotonFilter filter = PhotonFilter::None;
     PhotonFilter causticFilter = PhotonFilter::Cone;
     double coneConstant = 1.1;                      // k of the cone filter, >= 1
     std::shared_ptr<const CustomCode> customFilter; // where a filter is Custom: float function(float u)
     bool differentialChecking = false;              // stop an estimate from the caustic map where it would blur an edge
-    std::uint32_t gatherRays = 1;      // of final gathering, per sample; 0: indirect light straight from the global map
-    bool precomputedIrradiance = true; // final gathering looks up irradiance computed at the photons beforehand
-    std::uint32_t shadowPhotons = 0;   // so many that agree replace a shadow ray; 0: all shadow rays are traced
+    std::uint32_t gatherRays = 1;      // final-gather rays per sample; 0: indirect light directly from the global map
+    bool precomputedIrradiance = true; // final gathering looks up irradiance precomputed at the photons
+    std::uint32_t shadowPhotons = 0;   // agreeing shadow photons that replace a shadow ray; 0: trace every ray
     PhotonView view = PhotonView::Picture;
 };
 
 struct RenderSettings {
-    std::string integrator = "ppm"; // a name in scene/model/integrators.h
-    std::uint32_t maxDepth =
-        12; // ppm, path: segments of a whole path, 1..255; whitted: reflections and refractions in a row, 0..254
-    std::uint32_t passes = 64;      // >= 1; with a target error the most there may be
-    double targetError = 0;         // estimated error at which to stop, see docs/metrics.md; 0: none
+    std::string integrator = "ppm"; // name of a row in scene/model/integrators.h
+    std::uint32_t maxDepth = 12; // most segments of a path from light to eye, 1..255; whitted: successive reflections
+                                 // and refractions, 0..254
+    std::uint32_t passes = 64;   // >= 1; with a target error, the maximum
+    double targetError = 0;      // estimated error at which to stop, see docs/metrics.md; 0: none
     std::uint32_t photons = 200000; // emitted per pass, >= 1
     std::uint32_t seed = 1;
     RandomNumbers sampler = RandomNumbers::Sobol;
-    double radius = 0; // [m]; ppm: search radius of the first pass, 0: 1/100 of the radius of the scene's bounding
-                       // sphere; photonmap: the photons of an estimate lie no farther, 0: 1/8 of that radius
-    double alpha = 2.0 / 3.0; // ppm: how much of the photons a shrinking radius keeps [Knaus11], in (0, 1)
+    double radius =
+        0; // [m]; ppm: search radius of the first pass, 0: from the photon density (geometry/search_radius.h);
+           // photonmap: largest radius of an estimate, 0: 1/8 of the scene's bounding sphere's radius
+    double alpha = 2.0 / 3.0; // ppm: fraction of the photons that a shrinking radius keeps [Knaus11], in (0, 1)
     double minWeight =
-        1.0 / 1024; // whitted: rays that would add less than this share to the pixel are not followed; 0: all are
+        1.0 / 1024; // whitted: rays that would add less than this fraction to the pixel are not traced; 0: trace all
     PhotonMapSettings photonMap;
 };
 
-// Two colours in cubes of the world, or in squares of the surface's coordinates (u, v), by turns.
+// Two alternating colours, in cubes of world space or in squares of the surface coordinates (u, v).
 struct Checker {
-    std::array<glm::dvec3, 2> colors{glm::dvec3(0.2), glm::dvec3(0.8)}; // [0, 1]; the first from the origin on
+    std::array<glm::dvec3, 2> colors{glm::dvec3(0.2), glm::dvec3(0.8)}; // [0, 1]; the first starts at the origin
     double size = 0.1;                                                  // edge of a cell [m], or in units of u and v
     bool inWorld = true;
 };
-// A picture over the unit square of (u, v), v upwards, repeated beyond it.
+// An image over the unit square of (u, v), v upwards, repeated outside it.
 struct ImageTexture {
     std::shared_ptr<const Image> image; // [0, 1]
 };
@@ -96,46 +97,47 @@ struct Material {
     std::string name;
     MaterialModel model;
     std::optional<std::size_t> colorTexture = {};     // in Scene::textures; multiplies the model's colour
-    std::optional<std::size_t> roughnessTexture = {}; // likewise: green times roughness, blue times metallic
+    std::optional<std::size_t> roughnessTexture = {}; // in Scene::textures; green times roughness, blue times metallic
 };
 
-// Lights, and objects that emit: photons and light samples are theirs in proportion to power times `photonShare` (> 0).
+// Lights. Photons and light samples are distributed over lights and emitting objects in proportion to power times
+// `photonShare` (> 0).
 struct PointLight {
     glm::dvec3 position{0};  // [m]
     glm::dvec3 intensity{1}; // [W/sr]
     double photonShare = 1;
 };
-// Full intensity up to (1 - blend) angle from the axis, none from `angle` on; between them 3 t^2 - 2 t^3, where t goes
-// evenly in the cosine.
+// Full intensity up to (1 - blend) angle from the axis, none beyond `angle`; between the two, 3 t^2 - 2 t^3 with t
+// linear in the cosine.
 struct SpotLight {
     glm::dvec3 position{0};         // [m]
-    glm::dvec3 direction{0, -1, 0}; // unit, where the axis goes
+    glm::dvec3 direction{0, -1, 0}; // unit, along the axis away from the light
     glm::dvec3 intensity{1};        // on the axis [W/sr]
     double angle = 30;              // from the axis [degrees], in (0, 180]
     double blend = 0.1;             // [0, 1]
     double photonShare = 1;
 };
-// Parallel light: all over the scene from beyond it or, with a beam, from a disc on and no wider than it.
+// Parallel light: from beyond the scene onto all of it or, with a beam, a cylinder of light that starts at a disc.
 struct DirectionalLight {
     struct Beam {
         glm::dvec3 center{0}; // [m]
         double radius = 1;    // [m], > 0
     };
-    glm::dvec3 direction{0, -1, 0};          // unit, where the light goes
-    glm::dvec3 irradiance{1};                // of a surface that faces it [W/m^2]
-    std::optional<Beam> beam = std::nullopt; // none: light everywhere
+    glm::dvec3 direction{0, -1, 0};          // unit, in which the light travels
+    glm::dvec3 irradiance{1};                // of a surface that faces the light [W/m^2]
+    std::optional<Beam> beam = std::nullopt; // nullopt: light everywhere
     double photonShare = 1;
 };
-// Light from beyond the scene. The middle of the image is seen along -z, its upper edge is +y; radiance is constant
-// over each pixel.
+// Light from beyond the scene. The image's centre is in direction -z, its upper edge in direction +y; radiance is
+// constant over each pixel.
 struct Environment {
-    Image image;         // equirectangular [W/(m^2 sr)], finite and not negative; one pixel: the same everywhere
+    Image image;         // equirectangular [W/(m^2 sr)], finite and not negative; one pixel: uniform
     double scale = 1;    // of the image's values
     double rotation = 0; // about +y, counter-clockwise [degrees]
     double photonShare = 1;
 };
 
-// Axis-aligned box [m]; empty until a point is added, and its sides may be infinite.
+// Axis-aligned box [m]; empty until a point is added. Its sides may be infinite.
 struct Bounds {
     glm::dvec3 low{std::numeric_limits<double>::infinity()};
     glm::dvec3 high{-std::numeric_limits<double>::infinity()};
@@ -150,7 +152,7 @@ struct Bounds {
     }
 };
 
-// Shapes. Those without an objectToWorld have their transform applied already.
+// Shapes. Those without an objectToWorld are in world space: their transform is already applied.
 struct Sphere {
     glm::dvec3 center{0}; // [m]
     double radius = 1;    // [m], > 0
@@ -165,7 +167,7 @@ struct Disk { // ellipse center + u axis0 + v axis1, u^2 + v^2 <= 1; front: norm
     glm::dvec3 axis0{1, 0, 0};
     glm::dvec3 axis1{0, 1, 0};
 };
-struct Plane { // without end; as a solid, the half-space behind it
+struct Plane { // infinite; as a solid, the half-space behind it
     glm::dvec3 point{0};
     glm::dvec3 normal{0, 1, 0}; // unit; the front
 };
@@ -175,12 +177,12 @@ struct QuadricForm {
     double a = 0, b = 0, c = 0, d = 0, e = 0, f = 0, g = 0, h = 0, i = 0, j = 0;
 };
 
-// The set {q <= 0} within a box. Its surface is that of q and, where it is capped, the box's faces; not capped, the box
-// only cuts the surface of q, and nothing closes it.
+// The set {q <= 0} within a box. Its surface is that of q and, if capped, the box's faces; otherwise the box only cuts
+// the surface of q and leaves it open.
 struct Quadric {
     QuadricForm form;                   // object space
     Bounds clip = Bounds::everything(); // object space [m]
-    bool capped = true;                 // of no meaning without a clip
+    bool capped = true;                 // unused without a clip box
     glm::dmat4 objectToWorld{1.0};      // invertible, affine
 };
 struct Torus {                     // about the y axis of object space: (sqrt(x^2 + z^2) - major)^2 + y^2 <= minor^2
@@ -193,30 +195,30 @@ struct MeshInstance {
     glm::dmat4 objectToWorld{1.0}; // invertible, affine
 };
 
-// Constructive solid geometry: a postfix program over closed shapes. Leaf pushes the next leaf, an operation takes two
-// operands off the stack (left below right) and pushes what it makes of them.
+// Constructive solid geometry: a postfix program over closed shapes. Leaf pushes the next leaf; an operation pops two
+// operands (left below right) and pushes its result.
 enum class CsgStep : std::uint8_t { Leaf, Union, Intersection, Difference };
 struct Csg {
     std::size_t firstLeaf = 0; // in Scene::csgLeaves; the leaves follow in the order of the program
     std::vector<CsgStep> program;
 };
-inline constexpr std::size_t kMostCsgLeaves = 32; // of one tree: the device keeps one inside bit for each in a word
+inline constexpr std::size_t kMostCsgLeaves = 32; // per tree: the device keeps one inside bit per leaf in a word
 
 using Shape = std::variant<Sphere, Quad, Disk, Plane, Quadric, Torus, MeshInstance, Csg>;
 
 struct Object {
     Shape shape;
-    std::optional<std::size_t> material; // in Scene::materials; none: reflects nothing
+    std::optional<std::size_t> material; // in Scene::materials; nullopt: reflects nothing
     glm::dvec3 emission{0};              // quads, disks, spheres, meshes: radiance of the front [W/(m^2 sr)]
     SourceLocation where;
-    double photonShare = 1; // where it emits
+    double photonShare = 1; // used only if the object emits
 };
 
 struct Mesh {
     std::string file;
     std::vector<glm::vec3> positions;  // object space [m]
     std::vector<glm::vec3> normals;    // per position, unit; empty: flat shading
-    std::vector<glm::uvec3> triangles; // indices into positions, counter-clockwise from the front
+    std::vector<glm::uvec3> triangles; // indices into positions, counter-clockwise seen from the front
     std::vector<glm::vec2> uvs;        // per position, v upwards; empty: none
 };
 

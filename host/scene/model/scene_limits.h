@@ -1,5 +1,5 @@
 // The largest and smallest values a scene file may hold, each with its reason. The kernels compute in 32-bit floats:
-// what they would turn into 0 or infinity is refused where it is written.
+// the reader rejects values that they would turn into 0 or infinity.
 #pragma once
 
 #include <cstddef>
@@ -23,29 +23,29 @@ inline constexpr double kSmallestAngle = 1e-6;
 inline constexpr std::uint32_t kLargestSide = 65536;
 inline constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 28U;
 
-// Photons of one pass: their numbers are kept in 24 bits.
+// Photons of one pass: photon indices have 24 bits.
 inline constexpr std::uint32_t kMostPhotons = 1U << 24U;
 
-// Bytes of a scene file, of its GLSL, of a texture's and of a mesh file, read into memory as a whole.
+// Sizes in bytes of a scene file, a GLSL file, a texture file and a mesh file; each is read into memory as a whole.
 inline constexpr std::size_t kLargestSceneFile = std::size_t{64} << 20U;
 inline constexpr std::size_t kLargestCodeFile = std::size_t{1} << 20U;
 inline constexpr std::size_t kLargestTextureFile = std::size_t{1} << 30U;
 inline constexpr std::size_t kLargestMeshFile = std::size_t{2} << 30U;
 
-// Triangles of one mesh: a BVH leaf keeps the first one's index in 27 bits.
+// Triangles of one mesh: a BVH leaf stores the index of its first triangle in 27 bits.
 inline constexpr std::size_t kMostTriangles = std::size_t{1} << 27U;
 
-// Pixels of one texture: a quarter of what lavapipe shows in one table of texels, which all of a scene share.
+// Pixels of one texture: a quarter of lavapipe's largest texel table; all textures of a scene share one table.
 inline constexpr std::size_t kMostTexels = std::size_t{1} << 25U;
 
-// Copies of one object by `repeat`: each takes about a kilobyte on the way to the device.
+// Copies of one object by `repeat`: each takes about a kilobyte during upload to the device.
 inline constexpr std::uint32_t kMostCopies = 1U << 22U;
 
-// Lists and maps within one another in a YAML file; a deeper tree could overrun the stack of a recursive reader. A csg
-// of 32 shapes in which each list of two holds the next takes 70.
+// Nesting depth of lists and maps in a YAML file; a deeper tree could overflow the stack of a recursive reader. A csg
+// of 32 shapes in which each list of two holds the next needs a depth of 70.
 inline constexpr std::size_t kDeepestYaml = 128;
 
-// Values in a YAML file with every alias (*name) written out: nine nested aliases would otherwise stand for a billion.
+// Values in a YAML file with every alias (*name) expanded; otherwise nine nested aliases could expand to a billion.
 inline constexpr std::size_t kMostYamlNodes = std::size_t{1} << 23U;
 
 } // namespace hyalite

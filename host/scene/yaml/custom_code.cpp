@@ -29,15 +29,16 @@ std::shared_ptr<const CustomCode> readCustomCode(const Value& file, const fs::pa
     const fs::path given = file.text();
     const fs::path path = folder / given;
     if (given.extension() != ".glsl" || !isIdentifier(given.stem().string())) {
-        file.fail("the file of GLSL " + inQuotes(given.string()) + " must be called like the function that it defines",
+        file.fail("GLSL file " + inQuotes(given.string()) + " must be named after the function that it defines",
                   "e.g. marble.glsl for vec3 marble(...)");
     }
     if (given.is_absolute() || !isInside(path, folder)) {
-        file.fail("the file of GLSL " + inQuotes(given.string()) + " is not in the scene file's folder or below",
+        file.fail("GLSL file " + inQuotes(given.string()) + " is not in the scene file's folder or below",
                   "put it beside the scene file");
     }
     if (path.string().find_first_of("\"\\\n") != std::string::npos) {
-        file.fail("GLSL cannot name a file of this path in its messages", "leave out quotes and backslashes");
+        file.fail("the path of a GLSL file must not contain quotes, backslashes or line breaks",
+                  "rename the file or its folder");
     }
     CustomCode code{.function = given.stem().string(),
                     .file = path.string(),
@@ -47,15 +48,15 @@ std::shared_ptr<const CustomCode> readCustomCode(const Value& file, const fs::pa
     }
     if (std::regex_search(code.text, std::regex(R"((^|\n)[ \t]*#[ \t]*(include|line|version|extension))"))) {
         throw Error(ExitCode::BadInput, SourceLocation{code.file},
-                    "code of a scene has no #include, #line, #version or #extension",
-                    "lib/math.glsl and shared/random.h are there already");
+                    "a scene's GLSL must not use #include, #line, #version or #extension",
+                    "lib/math.glsl and shared/random.h are already included");
     }
     const std::regex definition("\\b" + std::string(type) + "\\s+" + code.function + "\\s*\\(");
     std::smatch found;
     if (!std::regex_search(code.text, found, definition)) {
         throw Error(ExitCode::BadInput, SourceLocation{code.file},
-                    "there is no function '" + std::string(type) + ' ' + code.function + "(...)' in this file",
-                    "docs/experiments.md says what it is given");
+                    "this file does not define the function '" + std::string(type) + ' ' + code.function + "(...)'",
+                    "see docs/experiments.md for its parameters");
     }
     code.line += static_cast<int>(std::count(code.text.begin(), code.text.begin() + found.position(), '\n'));
     return std::make_shared<const CustomCode>(std::move(code));
@@ -69,7 +70,7 @@ void readCodeParameters(Reader& reader, glm::dvec4& parameters) {
     }
     const std::size_t count = value->list().size();
     if (count > 4) {
-        value->fail("a function of the scene's own has at most 4 parameters");
+        value->fail("'parameters' must have at most 4 numbers");
     }
     const std::vector<double> numbers = value->numbers(count, kParameter);
     for (std::size_t i = 0; i < count; ++i) {

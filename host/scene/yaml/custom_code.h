@@ -1,4 +1,4 @@
-// GLSL files that a scene names: code of its own for a texture, a material or a filter of photons.
+// Reads the GLSL files that a scene names: custom code for a texture, a material or a photon filter.
 #pragma once
 
 #include "scene/model/scene.h"
@@ -10,12 +10,13 @@
 
 namespace hyalite {
 
-// The file that `file` names, relative to `folder`: in there or below, symbolic links followed. It must define a
-// function of its own name (that of the file without .glsl) that returns `type`. Throws Error(BadInput).
+// Reads the GLSL file that `file` names relative to `folder`. After following symbolic links, the file must be in that
+// folder or below. It must define a function named after the file (without .glsl) that returns `type`.
+// Throws Error(BadInput).
 [[nodiscard]] std::shared_ptr<const CustomCode> readCustomCode(const Value& file, const std::filesystem::path& folder,
                                                                std::string_view type);
 
-// 'parameters', up to four numbers that such a function is given; those that are not there are 0.
+// Reads the key `parameters`: up to four numbers to pass to the custom function. Missing ones are 0.
 void readCodeParameters(Reader& reader, glm::dvec4& parameters);
 
 } // namespace hyalite

@@ -1,4 +1,4 @@
-// The names of materials in a scene file.
+// Finds a material by its name in the scene file.
 #pragma once
 
 #include "scene/model/scene.h"
@@ -6,7 +6,7 @@
 
 namespace hyalite {
 
-// Index in Scene::materials of the material that `name` names. Throws Error(BadInput) where there is none.
+// Index in Scene::materials of the material with this name. Throws Error(BadInput) if there is none.
 [[nodiscard]] std::size_t findMaterial(const Value& name, const Scene& scene);
 
 } // namespace hyalite

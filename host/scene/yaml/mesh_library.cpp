@@ -11,11 +11,11 @@
 namespace hyalite {
 namespace {
 
-// The same for all ways to name a file.
+// The same key for every spelling of a file's path.
 std::filesystem::path keyOf(const std::filesystem::path& path) {
     std::error_code error;
     std::filesystem::path key = std::filesystem::weakly_canonical(path, error);
-    return error ? path.lexically_normal() : key; // the import will say what is wrong with it
+    return error ? path.lexically_normal() : key; // the import will report the error
 }
 
 } // namespace

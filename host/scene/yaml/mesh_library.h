@@ -1,4 +1,4 @@
-// The meshes that a scene names: each is read or made once, however many objects show it.
+// The meshes of a scene: each is read or made once, however many objects use it.
 #pragma once
 
 #include "scene/import/gltf_import.h"
@@ -14,8 +14,8 @@ namespace hyalite {
 // A file of several meshes, each in its place.
 struct MeshParts {
     std::vector<ImportedMaterial> materials;
-    std::vector<ImportedPart> parts;                        // their meshes are those of the scene
-    std::map<std::size_t, std::size_t> sceneMaterials = {}; // by the file's number, in Scene::materials; those in use
+    std::vector<ImportedPart> parts;                        // their mesh indices are into the scene's meshes
+    std::map<std::size_t, std::size_t> sceneMaterials = {}; // index in the file to Scene::materials, of those in use
 };
 
 class MeshLibrary {
@@ -24,11 +24,11 @@ public:
     MeshLibrary(std::filesystem::path folder, std::vector<Mesh>& meshes)
         : folder_(std::move(folder)), meshes_(&meshes) {}
 
-    // Index of the mesh that the text `file` names, all its parts in one. Throws Error(BadInput): a file that cannot be
-    // read at the text's place, a mistake in it at its place in the mesh file.
+    // Index of the mesh in the named file, all its parts merged. Throws Error(BadInput): for an unreadable file, at the
+    // place of its name in the scene; for a mistake in the file, at its place in the mesh file.
     [[nodiscard]] std::size_t load(const Value& file);
 
-    // The parts of the file; likewise. The reference stays valid.
+    // The parts of the named file. Throws like load(). The reference stays valid.
     [[nodiscard]] MeshParts& loadParts(const Value& file);
 
     // Index of the teapot of this level (see makeTeapot).
@@ -36,7 +36,7 @@ public:
 
     [[nodiscard]] const Mesh& at(std::size_t index) const { return (*meshes_)[index]; }
 
-    // Of the mesh in its own space.
+    // Bounds of the mesh in its object space.
     [[nodiscard]] const Bounds& boundsOf(std::size_t index);
 
 private:

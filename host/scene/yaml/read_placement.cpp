@@ -20,7 +20,7 @@ glm::dmat3 rotationFromY(const glm::dvec3& axis) {
     if (sine2 == 0) {
         return n.y > 0 ? glm::dmat3(1) : glm::dmat3(1, 0, 0, 0, -1, 0, 0, 0, -1);
     }
-    // Rodrigues' formula about y x n; 1 / (1 + cos) is written so that nothing cancels near -y.
+    // Rodrigues' formula about y x n; this form of 1 / (1 + cos) avoids cancellation near -y.
     const double factor = n.y > 0 ? 1 / (1 + n.y) : (1 - n.y) / sine2;
     return {
         {1 - factor * n.x * n.x, -n.x, -factor * n.x * n.z}, n, {-factor * n.x * n.z, -n.z, 1 - factor * n.z * n.z}};
@@ -31,7 +31,7 @@ glm::dvec3 readUnit(const Value& value) {
     value.read(direction, kDirection);
     const double length = glm::length(direction);
     if (!(length >= kSmallestLength)) {
-        value.fail(inQuotes(value.name()) + " must not be zero", "its length is of no matter, its direction is");
+        value.fail(inQuotes(value.name()) + " must not be zero", "only its direction matters, not its length");
     }
     return direction / length;
 }
@@ -60,7 +60,7 @@ bool isWithinReach(const Bounds& world) {
 void checkReach(const Reader& reader, const Bounds& world) {
     if (!isWithinReach(world)) {
         throw Error(ExitCode::BadInput, reader.where(),
-                    "with its transform this shape reaches beyond " + numberText(kLargestLength) + " m",
+                    "after its transform this shape extends beyond " + numberText(kLargestLength) + " m",
                     "scenes are in metres");
     }
 }
@@ -70,12 +70,13 @@ void checkThickness(const Placement& placement, double thinnest) {
         return;
     }
     const glm::dmat3 linear(placement.objectToWorld);
-    const glm::dvec3 squared = eigensystem(glm::transpose(linear) * linear).values; // of the stretch along its axes
+    const glm::dvec3 squared =
+        eigensystem(glm::transpose(linear) * linear).values; // squared stretch along its principal axes
     const double least = std::sqrt(std::max(0.0, std::min({squared.x, squared.y, squared.z})));
-    constexpr double kRounding = 1e-6; // of a product of transforms
+    constexpr double kRounding = 1e-6; // relative rounding error of a product of transforms
     if (!(thinnest * least >= kSmallestLength * (1 - kRounding))) {
-        placement.transform->fail("with this transform the shape is only " + numberText(thinnest * least) + " m thick",
-                                  "the smallest is " + numberText(kSmallestLength) + " m");
+        placement.transform->fail("after this transform the shape is only " + numberText(thinnest * least) + " m thick",
+                                  "the minimum is " + numberText(kSmallestLength) + " m");
     }
 }
 

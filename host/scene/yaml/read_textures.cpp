@@ -39,7 +39,7 @@ TextureModel readImageTexture(Reader& reader, const std::filesystem::path& folde
     if (const auto name = reader.find("encoding")) {
         encoding = choose<Encoding>(*name, "encoding", kEncodings);
     }
-    reader.finish(); // before a large file is read for nothing
+    reader.finish(); // report a wrong key before reading a large file
     const std::filesystem::path path = folder / file.text();
     const std::string bytes = readInputFile(path, kLargestTextureFile, "texture", file.where());
     return decodeTexture(std::as_bytes(std::span(bytes)), path.string(), encoding);
@@ -73,13 +73,13 @@ std::size_t findTexture(const Value& name, const Scene& scene) {
     failUnknownWord(name, "texture", known);
 }
 
-// A surface needs no coordinates for a checker in the world, nor for code, which has the place in the world too.
+// A world-space checker needs no surface coordinates. Custom code gets the world position too.
 bool needsCoordinates(const Texture& texture) {
     const auto* checker = std::get_if<Checker>(&texture.model);
     return checker != nullptr ? !checker->inWorld : std::holds_alternative<ImageTexture>(texture.model);
 }
 
-// The leaves of a csg answer for themselves.
+// A csg counts as having them: its leaves are checked on their own.
 bool hasCoordinates(const Scene& scene, const Shape& shape) {
     if (const auto* instance = std::get_if<MeshInstance>(&shape)) {
         return !scene.meshes[instance->mesh].uvs.empty();
@@ -98,8 +98,8 @@ void checkTextures(const Scene& scene, const Object& object) {
             throw Error(ExitCode::BadInput, object.where,
                         "the texture " + inQuotes(scene.textures[*index].name) +
                             " needs surface coordinates, which this shape does not have",
-                        "spheres, quads, disks and meshes with texture coordinates have them; a checker in the world "
-                        "suits every shape");
+                        "spheres, quads, disks and meshes with texture coordinates have them; a checker with space: "
+                        "world works on every shape");
         }
     }
 }
@@ -126,7 +126,7 @@ ImageTexture decodeTexture(std::span<const std::byte> bytes, const std::string& 
     } else if (looksLikeExr(bytes)) {
         image = decodeExr(bytes, file);
     } else {
-        fail("this texture is no PNG, JPEG or EXR file", "save it as PNG");
+        fail("not a PNG, JPEG or EXR file", "save the texture as PNG");
     }
     if (image.pixels.size() > kMostTexels) {
         fail("the texture has more than " + std::to_string(kMostTexels) + " pixels", "make it smaller");
@@ -135,7 +135,7 @@ ImageTexture decodeTexture(std::span<const std::byte> bytes, const std::string& 
         for (int channel = 0; channel < 3; ++channel) {
             if (!(pixel[channel] >= 0 && pixel[channel] <= 1)) {
                 fail("a pixel of the texture is " + numberText(pixel[channel]) + ", not in [0, 1]",
-                     "textures say which share of the light is reflected");
+                     "a texture holds fractions of reflected light");
             }
         }
     }

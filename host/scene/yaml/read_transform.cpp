@@ -89,7 +89,7 @@ glm::dmat4 readTransform(const Value& value, const glm::dmat4& around) {
     }
     matrix = around * matrix;
     if (!isInvertible(matrix)) {
-        value.fail("with the transforms around it this one is singular: they have no inverse");
+        value.fail("combined with the enclosing transforms, this one is singular: it has no inverse");
     }
     const glm::dvec3 offset(matrix[3]);
     if (!(glm::length(offset) <= kLargestLength)) {

@@ -7,8 +7,8 @@
 
 namespace hyalite {
 
-// Object to world, invertible and affine: the product of the list's maps, the first of them applied first, and then of
-// what is around them. Throws Error(BadInput).
+// The object-to-world map, invertible and affine: applies the maps of the list in order, then `around`, the enclosing
+// transform. Throws Error(BadInput).
 [[nodiscard]] glm::dmat4 readTransform(const Value& value, const glm::dmat4& around = glm::dmat4(1));
 
 } // namespace hyalite

@@ -168,7 +168,7 @@ Value Reader::require(std::string_view key) {
     if (const auto value = find(key)) {
         return *value;
     }
-    // "raduis: 1" is a slip of the pen rather than a sphere without a radius.
+    // "raduis: 1" is a typing error, not a sphere without a radius.
     for (const YamlEntry& entry : map_.node().entries) {
         const bool asked = std::find(asked_.begin(), asked_.end(), entry.key) != asked_.end();
         const std::string wanted(key);

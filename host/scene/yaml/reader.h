@@ -1,6 +1,6 @@
-// Typed reading of a YAML tree: a Value knows its name and place and reads itself as a number, vector, colour or text
-// within a range; a Reader takes a map's keys one by one and reports those that nobody asked for. A concept of the
-// scene file is then a list of keys, and the default of each key is what the variable holds already.
+// Typed reading of a YAML tree. A Value knows its name and place and reads itself as a number, vector, colour or text
+// within a range. A Reader reads a map key by key and reports keys that were never asked for. The code that reads a map
+// is then a list of its keys; the default of a key is the variable's value before the read.
 #pragma once
 
 #include "base/error.h"
@@ -17,14 +17,14 @@
 
 namespace hyalite {
 
-// The numbers a key may hold; each end may be part of the range or not. `unit` is for the message.
+// The valid numbers of a key; each end is included or excluded. `unit` is for messages.
 struct Range {
     double low = 0;
     double high = 0;
     bool lowIncluded = true;
     bool highIncluded = true;
     std::string_view unit = {};
-    bool orZero = false; // 0 is in the range, too: it stands for a choice of the program's
+    bool orZero = false; // 0 is valid too: it means automatic
 
     [[nodiscard]] bool contains(double value) const; // false for NaN
     [[nodiscard]] std::string text() const;          // "in [0, 1] m", "0 or in [1e-09, 1] m"
@@ -44,8 +44,8 @@ public:
     [[noreturn]] void fail(const std::string& what, const std::string& hint = {}) const;
 
     [[nodiscard]] std::string text() const;                         // not empty
-    [[nodiscard]] std::vector<Value> list() const;                  // items are named like the list
-    [[nodiscard]] std::vector<Value> list(std::size_t count) const; // exactly so many
+    [[nodiscard]] std::vector<Value> list() const;                  // items have the list's name
+    [[nodiscard]] std::vector<Value> list(std::size_t count) const; // exactly `count` items
     [[nodiscard]] std::vector<double> numbers(std::size_t count, const Range& each) const;
 
     void read(double& out, const Range& range) const;
@@ -53,10 +53,10 @@ public:
     void read(bool& out) const;
     void read(glm::dvec3& out, const Range& each) const;
     void read(glm::uvec2& out, const Range& each) const;
-    void readColor(glm::dvec3& out, const Range& each) const; // one number stands for three equal ones
+    void readColor(glm::dvec3& out, const Range& each) const; // one number means three equal ones
 
 private:
-    [[nodiscard]] std::string describe() const; // what the value is, for "expected ..., found ..."
+    [[nodiscard]] std::string describe() const; // describes the value, for "must be ..., found ..."
     [[noreturn]] void expected(const std::string& what, const std::string& hint = {}) const;
 
     const YamlNode* node_;
@@ -64,7 +64,7 @@ private:
     std::string name_;
 };
 
-// The keys of one map. References the document, which must outlive it.
+// Reads the keys of one map. References the document, which must outlive the reader.
 class Reader {
 public:
     explicit Reader(const Value& map);
@@ -73,9 +73,9 @@ public:
     [[nodiscard]] const Value& map() const { return map_; }
 
     [[nodiscard]] std::optional<Value> find(std::string_view key); // none when the key is absent
-    [[nodiscard]] Value require(std::string_view key);             // an error when it is
+    [[nodiscard]] Value require(std::string_view key);             // throws when the key is absent
 
-    // An absent key leaves `out` as it is.
+    // An absent key leaves `out` unchanged.
     template <class T>
     void optional(std::string_view key, T& out, const Range& range) {
         if (const auto value = find(key)) {
@@ -97,7 +97,7 @@ public:
         require(key).read(out, range);
     }
 
-    // Call when all keys are read: the first key in the map that was never asked for is an error.
+    // Call after reading all keys: throws at the first key of the map that was never asked for.
     void finish() const;
 
 private:
@@ -107,14 +107,14 @@ private:
     std::vector<std::string> asked_;
 };
 
-// A word of the file and what it stands for: a material type and the function that reads it, say.
+// A word of the file and its meaning, e.g. a material type and the function that reads it.
 template <class T>
 struct Choice {
     std::string_view name;
     T meaning;
 };
 
-// The meaning of the word that `value` holds; any other word is an error that names the nearest.
+// The meaning of the word in `value`. An unknown word throws an error that suggests the nearest known one.
 template <class T>
 [[nodiscard]] T choose(const Value& value, std::string_view kind, std::span<const Choice<T>> choices);
 

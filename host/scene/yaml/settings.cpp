@@ -12,7 +12,7 @@
 namespace hyalite {
 namespace {
 
-// Where a key of the section was given; where it was not, the place that answers for the section.
+// The place where a key of the section was given; for an absent key, the place to report for the section.
 using PlaceOf = std::function<SourceLocation(std::string_view key)>;
 
 [[noreturn]] void fail(const SourceLocation& where, const std::string& what, const std::string& hint = {}) {
@@ -48,7 +48,7 @@ void checkRenderSettings(const RenderSettings& render, const PlaceOf& placeOf) {
     const PhotonMapSettings& maps = render.photonMap;
     const bool isCustom = maps.filter == PhotonFilter::Custom || maps.causticFilter == PhotonFilter::Custom;
     if (isCustom && maps.customFilter == nullptr) {
-        fail(placeOf("filter_file"), "a custom filter needs its code", "name it: filter_file: falloff.glsl");
+        fail(placeOf("filter_file"), "a custom filter needs a 'filter_file'", "e.g. filter_file: falloff.glsl");
     }
 }
 
@@ -60,7 +60,7 @@ void check(Section section, const Settings& settings, const PlaceOf& placeOf) {
     }
 }
 
-// The keys of a section that a scene file gives.
+// Reads and checks the keys of a section in a scene file.
 void readSection(const Value& map, Section section, Settings& settings) {
     Reader reader(map);
     for (const Setting& setting : settingsTable()) {
@@ -78,7 +78,7 @@ void readSection(const Value& map, Section section, Settings& settings) {
     });
 }
 
-// "640x480" as YAML; anything else as it is, for the reader to judge.
+// "640x480" as YAML; anything else unchanged, for the reader to check.
 std::string resolutionAsYaml(const std::string& value) {
     const auto x = value.find('x');
     if (x == std::string::npos || !parseWhole(value.substr(0, x)) || !parseWhole(value.substr(x + 1))) {
@@ -87,7 +87,7 @@ std::string resolutionAsYaml(const std::string& value) {
     return '[' + value.substr(0, x) + ", " + value.substr(x + 1) + ']';
 }
 
-// The row that a dotted key names.
+// The row with this dotted key.
 const Setting& settingNamed(const std::string& key, const SourceLocation& where) {
     const auto dot = key.find('.');
     const std::string section = key.substr(0, dot);
@@ -120,7 +120,7 @@ void assign(const SettingAssignment& assignment, Settings& settings) {
     setting.read(Value(*tree, assignment.option, std::string(setting.doc.name)), setting.doc, settings);
 }
 
-// What relates the settings that were assigned, and those they meet.
+// Checks the rules between settings, in each section that was assigned to.
 void checkAssigned(const Settings& settings, std::span<const SettingAssignment> assignments) {
     for (const Section section : {Section::Camera, Section::Render}) {
         const std::string prefix = std::string(nameOf(section)) + '.';
@@ -161,7 +161,7 @@ void applySettings(Scene& scene, std::span<const SettingAssignment> assignments)
             assign(assignment, settings);
         }
         checkAssigned(settings, assignments);
-    } catch (const Error& error) { // a mistake on the command line, not in a file
+    } catch (const Error& error) { // the mistake is on the command line, not in a file
         throw Error(ExitCode::WrongUsage, error.where(), error.message(), error.hint());
     }
     scene.camera = settings.camera;

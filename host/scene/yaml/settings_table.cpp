@@ -18,7 +18,7 @@ namespace {
 
 using Words = std::span<const std::string_view>;
 
-// The words for the values of each enumeration, in its order.
+// The word for each value of an enumeration, in the order of its values.
 constexpr std::array<std::string_view, 2> kSamplers{"sobol", "independent"};
 static_assert(static_cast<int>(RandomNumbers::Independent) == 1);
 constexpr std::array<std::string_view, 2> kStructures{"kdtree", "grid"};
@@ -118,7 +118,7 @@ std::string valueAsText(const T& value) {
 
 // ---- rows ----
 
-// The row of the member that `path`, pointers to members from Settings on, leads to.
+// The row of one setting. `path` is a chain of pointers to members, from Settings to the setting.
 template <auto... path>
 Setting row(Setting setting) {
     using T = std::remove_cvref_t<decltype((std::declval<Settings&>().*....*path))>;
@@ -152,53 +152,54 @@ Setting photonMap(const Setting& setting) {
 constexpr double kMostWhole = std::numeric_limits<std::uint32_t>::max();
 constexpr Range kCoordinate{-kLargestLength, kLargestLength, true, true, "m"};
 constexpr Range kSearchRadius{
-    .low = kSmallestLength, .high = kLargestLength, .unit = "m", .orZero = true}; // 0: chosen by the program
-constexpr Range kNearest{2, shared::kMaxNearest}; // the farthest sets the radius and does not count
-// A whitted ray after n reflections or refractions is the path's segment n + 1; segments are counted in 8 bits.
+    .low = kSmallestLength, .high = kLargestLength, .unit = "m", .orZero = true}; // 0: automatic
+constexpr Range kNearest{2, shared::kMaxNearest}; // the farthest photon only sets the radius; the estimate omits it
+// A whitted ray after n reflections or refractions is segment n + 1 of its path; the segment counter has 8 bits.
 constexpr Range kTreeDepth{0, shared::kMaxDepth - 1};
 constexpr Range kPathDepth{1, shared::kMaxDepth};
 
 std::vector<Setting> cameraRows() {
     return {
-        camera<&Camera::position>(
-            {.doc = {.name = "position", .range = kCoordinate, .text = "where the lens is; not `look_at`"}}),
+        camera<&Camera::position>({.doc = {.name = "position",
+                                           .range = kCoordinate,
+                                           .text = "centre of the lens; must differ from `look_at`"}}),
         camera<&Camera::lookAt>(
-            {.doc = {.name = "look_at", .range = kCoordinate, .text = "the point in the middle of the picture"}}),
+            {.doc = {.name = "look_at", .range = kCoordinate, .text = "point at the centre of the picture"}}),
         camera<&Camera::up>({.doc = {.name = "up",
                                      .range = {-kLargestLength, kLargestLength},
-                                     .text = "direction of any length, not parallel to the view"}}),
+                                     .text = "up direction, of any length, not parallel to the view"}}),
         camera<&Camera::fov>(
             {.doc = {.name = "fov", .range = {0, 180, false, false, "degrees"}, .text = "vertical field of view"}}),
         camera<&Camera::aperture>({.doc = {.name = "aperture",
                                            .range = {0, kLargestLength, true, true, "m"},
-                                           .text = "diameter of the lens; 0 is a pinhole, and all is sharp"}}),
-        camera<&Camera::focusDistance>({.doc = {.name = "focus_distance",
-                                                .range = {kSmallestLength, kLargestLength, true, true, "m"},
-                                                .defaultText = "that of `look_at`",
-                                                .text = "from `position` to the plane that is sharp, along the view"}}),
-        camera<&Camera::resolution>({.doc = {.name = "resolution",
-                                             .range = {1, kLargestSide, true, true, "pixels"},
-                                             .text = "width and height, together at most 2^28 pixels; on the command "
-                                                     "line also 640x480"},
-                                     .option = "--resolution",
-                                     .label = "Resolution"}),
+                                           .text = "lens diameter; 0: a pinhole, everything is in focus"}}),
+        camera<&Camera::focusDistance>(
+            {.doc = {.name = "focus_distance",
+                     .range = {kSmallestLength, kLargestLength, true, true, "m"},
+                     .defaultText = "distance to `look_at`",
+                     .text = "distance from `position` to the plane in focus, along the view"}}),
+        camera<&Camera::resolution>(
+            {.doc = {.name = "resolution",
+                     .range = {1, kLargestSide, true, true, "pixels"},
+                     .text = "width and height, at most 2^28 pixels in all; the command line also "
+                             "accepts 640x480"},
+             .option = "--resolution",
+             .label = "Resolution"}),
     };
 }
 
 std::vector<Setting> renderRows() {
     return {
-        render<&RenderSettings::integrator>(
-            {.doc = {.name = "integrator",
-                     .text =
-                         "recursive ray tracing, progressive photon mapping, Jensen's photon mapping in two passes, "
-                         "or path tracing, which has no bias",
-                     .words = kIntegratorNames},
-             .option = "--integrator",
-             .label = "Integrator"}),
+        render<&RenderSettings::integrator>({.doc = {.name = "integrator",
+                                                     .text = "progressive photon mapping, Jensen's two-pass photon "
+                                                             "mapping, recursive ray tracing or unbiased path tracing",
+                                                     .words = kIntegratorNames},
+                                             .option = "--integrator",
+                                             .label = "Integrator"}),
         render<&RenderSettings::maxDepth>({.doc = {.name = "max_depth",
                                                    .range = {0, shared::kMaxDepth},
-                                                   .text = "segments of a whole path from light to eye; whitted: "
-                                                           "reflections and refractions in a row",
+                                                   .text = "most segments of a path from light to eye; whitted: most "
+                                                           "successive reflections and refractions",
                                                    .rangeText = "whitted [0, 254], others [1, 255]"},
                                            .option = "--max-depth",
                                            .label = "Longest path [segments]",
@@ -206,56 +207,57 @@ std::vector<Setting> renderRows() {
         render<&RenderSettings::passes>(
             {.doc = {.name = "passes",
                      .range = {1, kMostWhole},
-                     .text = "independent pictures whose mean is taken; photonmap, path: samples per pixel"},
+                     .text = "number of independent pictures to average; photonmap, path: samples per pixel"},
              .option = "--passes",
              .label = "Passes",
              .affectsPicture = false}),
         render<&RenderSettings::targetError>(
             {.doc = {.name = "target_error",
                      .range = {0, 1e9},
-                     .text = "stop as soon as the [estimated error](metrics.md#the-estimated-error) is no larger, "
-                             "`passes` being the most there may be; 0: render all passes"},
+                     .text =
+                         "stop as soon as the [estimated error](metrics.md#the-estimated-error) is at most this, or "
+                         "after `passes` passes; 0: render all passes"},
              .option = "--target-error",
              .affectsPicture = false}),
         render<&RenderSettings::photons>(
             {.doc = {.name = "photons",
                      .range = {1, kMostPhotons},
-                     .text = "photons emitted: ppm: per pass, for indirect light; photonmap: once, for the global map"},
+                     .text = "photons emitted; ppm: per pass, for indirect light; photonmap: once, for the global map"},
              .option = "--photons",
              .label = "Photons",
              .photons = PhotonsDepend::OnValue}),
-        render<&RenderSettings::seed>({.doc = {.name = "seed",
-                                               .range = {0, kMostWhole},
-                                               .text = "of the random numbers: same seed, same picture"},
-                                       .option = "--seed",
-                                       .label = "Seed",
-                                       .photons = PhotonsDepend::OnValue}),
+        render<&RenderSettings::seed>(
+            {.doc = {.name = "seed",
+                     .range = {0, kMostWhole},
+                     .text = "seed of the random numbers; the same seed gives the same picture"},
+             .option = "--seed",
+             .label = "Seed",
+             .photons = PhotonsDepend::OnValue}),
         render<&RenderSettings::sampler>(
             {.doc = {.name = "sampler",
-                     .text =
-                         "random numbers that fill the space evenly, or each without regard to the others, to measure "
-                         "what that gains"},
+                     .text = "low-discrepancy numbers, or pseudorandom numbers to measure what low discrepancy gains"},
              .option = "--sampler",
              .photons = PhotonsDepend::OnValue}),
         render<&RenderSettings::radius>(
             {.doc = {.name = "radius",
                      .range = kSearchRadius,
-                     .text = "ppm: search radius of the first pass for photons of indirect light; 0: [by their "
+                     .text = "ppm: search radius of the first pass for photons of indirect light; 0: [from their "
                              "density](progressive.md#radii). photonmap: largest radius of an estimate; 0: 1/8 of the "
                              "radius of the scene's bounding sphere"},
-             .label = "Search radius [m], 0: chosen"}),
-        render<&RenderSettings::alpha>({.doc = {.name = "alpha",
-                                                .range = {0, 1, false, false},
-                                                .defaultText = "2/3",
-                                                .text = "share of the photons that a shrinking radius keeps; nearer to "
-                                                        "1 it shrinks more slowly"},
-                                        .label = "Alpha"}),
+             .label = "Search radius [m], 0: automatic"}),
+        render<&RenderSettings::alpha>(
+            {.doc = {.name = "alpha",
+                     .range = {0, 1, false, false},
+                     .defaultText = "2/3",
+                     .text = "fraction of the photons that a shrinking radius keeps; the nearer to "
+                             "1, the more slowly it shrinks"},
+             .label = "Alpha"}),
         render<&RenderSettings::minWeight>(
             {.doc = {.name = "min_weight",
                      .range = {0, 1},
                      .defaultText = "1/1024",
                      .text =
-                         "rays that would add less than this share to their pixel are not followed; 0 follows all"}}),
+                         "rays that would add less than this fraction to their pixel are not traced; 0: trace all"}}),
     };
 }
 
@@ -264,8 +266,8 @@ std::vector<Setting> photonMapRows() {
         photonMap<&PhotonMapSettings::causticPhotons>(
             {.doc = {.name = "caustic_photons",
                      .range = {0, kMostPhotons},
-                     .text = "photons emitted towards mirrors and glass: ppm: per pass; 0: caustics are made of the "
-                             "other photons. photonmap: for the caustic map; 0: no caustics"},
+                     .text = "photons emitted towards mirrors and glass; ppm: per pass; 0: the other photons form "
+                             "caustics. photonmap: for the caustic map; 0: no caustics"},
              .label = "Caustic photons",
              .photons = PhotonsDepend::OnValue}),
         photonMap<&PhotonMapSettings::projectionMap>(
@@ -275,24 +277,27 @@ std::vector<Setting> photonMapRows() {
             {.doc = {.name = "caustic_radius",
                      .range = kSearchRadius,
                      .text =
-                         "ppm: search radius of the first pass for caustic photons; 0: by their density. photonmap: "
+                         "ppm: search radius of the first pass for caustic photons; 0: from their density. photonmap: "
                          "largest radius of an estimate from the caustic map; 0: 1/25 of the radius of the scene's "
                          "bounding sphere"}}),
-        photonMap<&PhotonMapSettings::structure>({.doc = {.name = "structure", .text = "how photons are found"}}),
-        photonMap<&PhotonMapSettings::nearest>(
-            {.doc = {.name = "nearest", .range = kNearest, .text = "photons of an estimate from the global map"},
-             .label = "Photons of an estimate"}),
-        photonMap<&PhotonMapSettings::causticNearest>({.doc = {.name = "caustic_nearest",
-                                                               .range = kNearest,
-                                                               .text = "photons of an estimate from the caustic map"}}),
+        photonMap<&PhotonMapSettings::structure>(
+            {.doc = {.name = "structure", .text = "data structure for photon lookups"}}),
+        photonMap<&PhotonMapSettings::nearest>({.doc = {.name = "nearest",
+                                                        .range = kNearest,
+                                                        .text = "nearest photons in an estimate from the global map"},
+                                                .label = "Photons per estimate"}),
+        photonMap<&PhotonMapSettings::causticNearest>(
+            {.doc = {.name = "caustic_nearest",
+                     .range = kNearest,
+                     .text = "nearest photons in an estimate from the caustic map"}}),
         photonMap<&PhotonMapSettings::gatherRays>(
             {.doc = {.name = "gather_rays",
                      .range = {0, 4096},
-                     .text = "rays of final gathering per sample; 0: indirect light straight from the global map"},
-             .label = "Gathering rays"}),
+                     .text = "final-gather rays per sample; 0: read indirect light directly from the global map"},
+             .label = "Final-gather rays"}),
         photonMap<&PhotonMapSettings::precomputedIrradiance>(
             {.doc = {.name = "precomputed_irradiance",
-                     .text = "final gathering looks up irradiance computed at photons beforehand"}}),
+                     .text = "final gathering looks up irradiance precomputed at the photons"}}),
     };
 }
 
@@ -300,14 +305,15 @@ std::vector<Setting> photonEstimateRows() {
     return {
         photonMap<&PhotonMapSettings::filter>(
             {.doc = {.name = "filter",
-                     .text = "weight of a photon by its distance in an estimate from the global map"}}),
+                     .text = "weight of a photon by its distance, in an estimate from the global map"}}),
         photonMap<&PhotonMapSettings::causticFilter>(
-            {.doc = {.name = "caustic_filter", .text = "the same in an estimate from the caustic map"}}),
-        // The shaders' hash tells whether its content is the same, wherever the file stands.
+            {.doc = {.name = "caustic_filter",
+                     .text = "weight of a photon by its distance, in an estimate from the caustic map"}}),
+        // The hash of the shaders covers the file's content; its path does not matter.
         photonMap<&PhotonMapSettings::customFilter>(
             {.doc = {.name = "filter_file",
                      .defaultText = "none",
-                     .text = "GLSL of a `custom` filter, in the scene file's folder or below; see "
+                     .text = "GLSL file of a `custom` filter, in the scene file's folder or below; see "
                              "[experiments](experiments.md)"},
              .affectsPicture = false}),
         photonMap<&PhotonMapSettings::coneConstant>({.doc = {.name = "cone_constant",
@@ -315,14 +321,15 @@ std::vector<Setting> photonEstimateRows() {
                                                              .text = "k of the cone filter; large values flatten it"}}),
         photonMap<&PhotonMapSettings::differentialChecking>(
             {.doc = {.name = "differential_checking",
-                     .text = "stop an estimate from the caustic map where it would blur an edge"}}),
+                     .text = "stop growing an estimate from the caustic map where it would blur an edge"}}),
         photonMap<&PhotonMapSettings::shadowPhotons>(
             {.doc = {.name = "shadow_photons",
                      .range = {0, 64},
                      .text = "number of agreeing direct or shadow photons that replace a shadow ray; 0: trace every "
                              "shadow ray"},
              .photons = PhotonsDepend::OnWhetherZero}),
-        photonMap<&PhotonMapSettings::view>({.doc = {.name = "view", .text = "the picture, or a view into the maps"}}),
+        photonMap<&PhotonMapSettings::view>(
+            {.doc = {.name = "view", .text = "what to render: the picture, or a view of the photon maps"}}),
     };
 }
 

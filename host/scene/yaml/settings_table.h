@@ -1,7 +1,7 @@
-// Every setting of `camera` and `render`, one row each. What reads, checks, documents, compares or shows settings goes
-// through these rows: the parser, --set and the options that stand for a key, the JSON schema and the tables of
-// docs/scene-format.md, what a checkpoint and a file of photon maps depend on, and the page of `hyalite live`. A new
-// setting is a member of its struct (scene/model/scene.h) and a row.
+// Every setting of `camera` and `render`, one row each. All code that reads, checks, documents, compares or shows
+// settings uses these rows: the parser, --set and the options for single keys, the JSON schema, the tables of
+// docs/scene-format.md, the fingerprints of checkpoints and photon map files, and the page of `hyalite live`. To add a
+// setting, add a member to its struct (scene/model/scene.h) and a row.
 #pragma once
 
 #include "scene/model/integrators.h"
@@ -14,7 +14,7 @@
 
 namespace hyalite {
 
-// What the rows are about: the parts of a Scene that hold settings.
+// The parts of a Scene that hold settings: what the rows read and write.
 struct Settings {
     Camera camera;
     RenderSettings render;
@@ -22,20 +22,20 @@ struct Settings {
 
 enum class Section { Camera, Render };
 
-// Whether photons are traced differently when a setting changes.
+// Whether a change of the setting changes how photons are traced.
 enum class PhotonsDepend { No, OnValue, OnWhetherZero };
 
 struct Setting {
     Section section = Section::Render;
     KeyDoc doc = {};                           // type and default come from the member of the struct
-    std::string_view option = {};              // on the command line, e.g. --photons; empty: only --set
-    std::string_view label = {};               // on the page of `hyalite live`; empty: not shown there
-    bool affectsPicture = true;                // a checkpoint is resumed only with the same value
-    PhotonsDepend photons = PhotonsDepend::No; // photon maps are loaded only with the same value
+    std::string_view option = {};              // command line option, e.g. --photons; empty: only --set
+    std::string_view label = {};               // label on the page of `hyalite live`; empty: not shown there
+    bool affectsPicture = true;                // a checkpoint resumes only with the same value
+    PhotonsDepend photons = PhotonsDepend::No; // photon maps load only with the same value
 
-    // Reads the value over what the struct holds. Throws Error(BadInput) at the value's place.
+    // Overwrites the struct's member with the value. Throws Error(BadInput) at the value's place.
     void (*read)(const Value& value, const KeyDoc& doc, Settings& settings) = nullptr;
-    // The value as a scene file has it, numbers in the shortest text that reads back the same; "" for no file.
+    // The value as a scene file writes it; a number is the shortest text that reads back the same. "" for no file.
     std::string (*text)(const Settings& settings) = nullptr;
 };
 
@@ -45,10 +45,10 @@ struct Setting {
 [[nodiscard]] std::string_view nameOf(Section section);       // "camera" or "render"
 [[nodiscard]] std::string dottedName(const Setting& setting); // as --set takes it: "render.photons"
 
-// As in a scene file.
+// The sampler's name in a scene file.
 [[nodiscard]] std::string nameOf(RandomNumbers sampler);
 
-// The depths that suit the integrator: a part of the range of render.max_depth.
+// The valid depths for this integrator: a subset of the range of render.max_depth.
 [[nodiscard]] const Range& depthRange(const IntegratorRow& integrator);
 
 } // namespace hyalite

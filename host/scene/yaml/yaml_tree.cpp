@@ -16,7 +16,7 @@
 namespace hyalite {
 namespace {
 
-// Receives the parser's events and hangs each finished value into the list or map that is open around it.
+// Receives the parser's events and adds each finished value to the innermost open list or map.
 class TreeBuilder : public YAML::EventHandler {
 public:
     TreeBuilder(std::string file, bool hasLines) : file_(std::move(file)), hasLines_(hasLines) {}
@@ -31,7 +31,7 @@ public:
 
     void OnDocumentStart(const YAML::Mark& mark) override {
         if (root_) {
-            fail(mark, "a second document starts here", "a scene file holds one");
+            fail(mark, "a second document starts here", "a scene file holds one document");
         }
     }
     void OnDocumentEnd() override {}
@@ -44,7 +44,7 @@ public:
         const auto found = anchors_.find(anchor);
         const auto isOpen = [&](const Open& open) { return open.node == found->second; };
         if (found == anchors_.end() || std::any_of(open_.begin(), open_.end(), isOpen)) {
-            fail(mark, "this alias stands inside the value it stands for");
+            fail(mark, "this alias is inside the value it refers to");
         }
         add(mark, found->second);
     }
@@ -73,14 +73,14 @@ private:
     struct Open {
         std::shared_ptr<YamlNode> node;
         YAML::Mark mark;
-        bool hasKey = false; // of a map: its last entry waits for a value
+        bool hasKey = false; // map only: its last entry still lacks a value
         std::unordered_set<std::string> keys;
     };
 
     std::shared_ptr<YamlNode> begin(const YAML::Mark& mark, YamlNode::Kind kind, const std::string& tag,
                                     YAML::anchor_t anchor) {
         if (!tag.empty() && tag != "?" && tag != "!") {
-            fail(mark, "a scene file has no use for the tag " + inQuotes(tag));
+            fail(mark, "unsupported YAML tag " + inQuotes(tag));
         }
         auto node = std::make_shared<YamlNode>();
         node->kind = kind;
@@ -105,7 +105,7 @@ private:
         add(finished.mark, finished.node);
     }
 
-    // Hangs a finished value into what is open.
+    // Adds a finished value to the innermost open list or map.
     void add(const YAML::Mark& mark, const std::shared_ptr<YamlNode>& node) {
         if (open_.empty()) {
             root_ = node;
@@ -119,7 +119,7 @@ private:
             return;
         } else {
             YamlEntry& entry = parent.node->entries.back();
-            if (node->kind == YamlNode::Kind::Null) { // "key:" alone; the parser's mark is where the next thing begins
+            if (node->kind == YamlNode::Kind::Null) { // "key:" alone; the parser's mark is at the next token
                 node->line = entry.line;
                 node->column = entry.column;
             }
@@ -133,7 +133,7 @@ private:
         }
         if (parent.node->size > kMostYamlNodes) {
             fail(mark, "more than " + std::to_string(kMostYamlNodes) + " values",
-                 "every alias counts as what it stands for");
+                 "each alias counts as a copy of its value");
         }
     }
 
@@ -152,7 +152,7 @@ private:
     }
 
     [[noreturn]] void failTooDeep(const YAML::Mark& mark) const {
-        fail(mark, "more than " + std::to_string(kDeepestYaml) + " lists and maps within one another");
+        fail(mark, "lists and maps are nested more than " + std::to_string(kDeepestYaml) + " deep");
     }
 
     std::string file_;
@@ -175,7 +175,7 @@ YamlPointer parseYaml(std::string_view text, const std::string& file, bool hasLi
         builder.fail(error.mark, "YAML: " + error.msg);
     }
     if (!builder.root()) {
-        throw Error(ExitCode::BadInput, SourceLocation{file, 0, 0}, "holds no values, only blanks or comments");
+        throw Error(ExitCode::BadInput, SourceLocation{file, 0, 0}, "contains no values");
     }
     return builder.root();
 }

@@ -1,5 +1,5 @@
-// A YAML document as a tree of plain values that know their place in the file. Built from yaml-cpp's parser events
-// rather than its Node, which keeps duplicate keys silently, loses the place of a key and follows aliases without end.
+// A YAML document as a tree of plain values that know their place in the file. Built from yaml-cpp's parser events, not
+// from its Node, which silently keeps duplicate keys, loses the place of a key and follows recursive aliases forever.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 namespace hyalite {
 
 struct YamlNode;
-using YamlPointer = std::shared_ptr<const YamlNode>; // shared, because an alias (*name) stands for the same value
+using YamlPointer = std::shared_ptr<const YamlNode>; // shared: an alias (*name) refers to the same value
 
 struct YamlEntry {
     std::string key;
@@ -30,12 +30,12 @@ struct YamlNode {
     bool isQuoted = false;          // Scalar: "1" is text, 1 may be a number
     std::vector<YamlPointer> items; // List
     std::vector<YamlEntry> entries; // Map, in file order, no key twice
-    std::size_t height = 1;         // levels of nesting, aliases written out
-    std::size_t size = 1;           // nodes, aliases written out
+    std::size_t height = 1;         // levels of nesting, aliases expanded
+    std::size_t size = 1;           // nodes, aliases expanded
 };
 
-// Parses exactly one YAML document. Throws Error(BadInput) with `file` and, if `hasLines`, the place: syntax errors,
-// no document or several, duplicate keys, keys that are not text, tags, too deep or too large a tree.
+// Parses exactly one YAML document. Throws Error(BadInput) with `file` and, if `hasLines`, the place: for syntax
+// errors, no document or several, duplicate keys, keys that are not text, tags, a tree too deep or too large.
 [[nodiscard]] YamlPointer parseYaml(std::string_view text, const std::string& file, bool hasLines = true);
 
 } // namespace hyalite

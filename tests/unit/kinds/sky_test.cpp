@@ -172,10 +172,11 @@ TEST_CASE("an impossible sky is an error") {
         REQUIRE(error.has_value());
         return error->message();
     };
-    CHECK(messageOf("}\n  - {type: environment").find("a second environment") != std::string::npos);
+    CHECK(messageOf("}\n  - {type: environment").find("a scene has at most one environment") != std::string::npos);
     CHECK(messageOf(", turbidity: 1").find("turbidity") != std::string::npos);
     CHECK(messageOf(", scale: 0").find("dark") != std::string::npos);
-    CHECK(messageOf("}\n  - {type: sky, sun: [0, -1, 0]").find("a second environment") != std::string::npos);
+    CHECK(messageOf("}\n  - {type: sky, sun: [0, -1, 0]").find("a scene has at most one environment") !=
+          std::string::npos);
     TemporaryFolder folder;
     const auto error = errorOf([&] {
         (void)loadScene(

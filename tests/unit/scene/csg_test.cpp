@@ -203,7 +203,7 @@ TEST_CASE("mistakes in a csg are reported at the key") {
         {csg("${type: csg, " + two + "}"), "missing key 'op' in 'shape'"},
         {csg("{type: csg, op: $differnce, " + two + "}"), "unknown operation 'differnce'",
          "did you mean 'difference'?"},
-        {csg("${type: csg, op: union}"), "a csg needs its operands", "'left' and 'right', or a list of 'shapes'"},
+        {csg("${type: csg, op: union}"), "a csg needs operands", "'left' and 'right', or a list of 'shapes'"},
         {csg("${type: csg, op: union, left: " + kBall + "}"), "missing key 'right' in 'shape'"},
         {csg("${type: csg, op: union, right: " + kBall + "}"), "missing key 'left' in 'shape'"},
         {csg("{type: csg, op: union, shapes: [" + kBall + ", " + kBall + "], left: $" + kBall + "}"), "not both"},
@@ -222,11 +222,11 @@ TEST_CASE("mistakes in a csg are reported at the key") {
         {csg("{type: csg, op: intersection, cut_material: $gray, " + two + "}"), "only a difference has cut faces"},
         {withObject("{shape: {type: csg, op: union, left: {type: sphere, radius: 1, material: gray}, right: $" + kBall +
                     "}}"),
-         "this shape has no material", "to it, to a csg around it or to the object"},
+         "this shape has no material", "to it, to an enclosing csg or to the object"},
         {withObject("{material: gray, emission: $1, shape: {type: csg, op: union, " + two + "}}"), "only quads"},
         {csg("${type: csg, op: intersection, left: " + kBall +
              ", right: {type: sphere, center: [3, 0, 0], radius: 1}}"),
-         "nothing is left of this csg"},
+         "this intersection is empty"},
     });
 }
 
@@ -247,7 +247,7 @@ TEST_CASE("transforms that are singular only in combination are reported at the 
                           ", right: {type: sphere, radius: 1, transform: " + inner + "}}}");
     };
     checkAll({
-        {csg("[{scale: 1e-6}]", "$[{scale: 1e-6}]"), "with the transforms around it this one is singular"},
+        {csg("[{scale: 1e-6}]", "$[{scale: 1e-6}]"), "combined with the enclosing transforms, this one is singular"},
         {csg("[]", "[{scale: $[1, 0, 1]}]"), "this transform is singular"},
         {csg("[{scale: 1e8}]", "$[{translate: [100, 0, 0]}]"), "move the object farther than 1e+09 m"},
     });
@@ -270,7 +270,7 @@ TEST_CASE("shapes without an inside are reported where a csg would need one") {
          "this shape is open"},
         {with("{type: teapot}"), "this mesh is open"},
         {.marked = with("{type: mesh, file: mesh.obj}"),
-         .what = "this mesh is open, at the edge from (",
+         .what = "this mesh is open at the edge from (",
          .hint = "every edge",
          .mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n"},
         {.marked = with("{type: mesh, file: mesh.obj}"),

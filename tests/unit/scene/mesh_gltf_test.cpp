@@ -267,7 +267,7 @@ TEST_CASE("a part without volume is an error of a merged glTF file, with its pla
         REQUIRE(error);
         CHECK(error->code() == ExitCode::BadInput);
         CHECK(error->message() ==
-              "nodes[2], meshes[0].primitives[0]: its transforms are singular: they have no inverse");
+              "nodes[2], meshes[0].primitives[0]: the transform of this part is singular: it has no inverse");
         CHECK_FALSE(error->where().file.empty());
     }
 }
@@ -329,8 +329,7 @@ TEST_CASE("a part of a glTF file without material or inverse is an error of the 
     REQUIRE(bare);
     CHECK(bare->where().line == 5);
     CHECK(bare->where().column == 32); // of the file's name
-    CHECK_THAT(bare->what(),
-               ContainsSubstring("nodes[0], meshes[0].primitives[0]: this part of the file has no material"));
+    CHECK_THAT(bare->what(), ContainsSubstring("nodes[0], meshes[0].primitives[0]: this part has no material"));
 
     gltf.document["nodes"][0]["scale"] = {1, 0, 1};
     folder.write("one.gltf", gltf.text());

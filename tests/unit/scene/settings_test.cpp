@@ -78,7 +78,7 @@ TEST_CASE("a wrong setting names the option and leaves the scene as it was") {
         {"camera.aperture", "-0.1", "--set: 'aperture' must be in [0, 1e+09] m"},
         {"camera.focus_distance", "0", "--set: 'focus_distance' must be in [1e-09, 1e+09] m"},
         {"camera.fov", "180", "--set: 'fov' must be in (0, 180) degrees"},
-        {"camera.fov", "", "--set: holds no values"},
+        {"camera.fov", "", "--set: contains no values"},
         {"camera.fov", "[1", "--set: YAML"},
         {"camera.up", "[0, 0, 1]", "--set: 'up' is parallel"}, // the default camera looks along -z
         {"camera.look_at", "[0, 0, 5]", "same point"},
@@ -89,7 +89,7 @@ TEST_CASE("a wrong setting names the option and leaves the scene as it was") {
         {"render.max_depth", "256", "--set: 'max_depth' must be in [0, 255], found 256"},
         {"render.max_depth", "0", "--set: with integrator ppm 'max_depth' must be in [1, 255], it is 0"},
         {"render.radius", "1e-30", "--set: 'radius' must be 0 or in [1e-09, 1e+09] m, found 1e-30"},
-        {"render.filter", "custom", "--set: a custom filter needs its code"},
+        {"render.filter", "custom", "--set: a custom filter needs a 'filter_file'"},
     };
     for (const Case& bad : cases) {
         INFO(bad.key << '=' << bad.value);

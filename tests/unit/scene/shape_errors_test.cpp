@@ -79,10 +79,10 @@ TEST_CASE("mistakes in the coefficients of a quadric are reported there") {
         {with("{type: quadric, coefficients: $[0, 0, 0, 0, 0, 0, 0, 0, 0, 0]}"), "all coefficients"},
         {with("{type: quadric, coefficients: $[0, 0, 0, 0, 0, 0, 0, 0, 0, 0], clip: {min: [0, 0, 0]}}"),
          "all coefficients"},
-        {with("{type: quadric, coefficients: $[0, 0, 0, 0, 0, 0, 0, 0, 0, -1]}"), "only the last is not 0",
+        {with("{type: quadric, coefficients: $[0, 0, 0, 0, 0, 0, 0, 0, 0, -1]}"), "only the last coefficient is not 0",
          "within a 'clip' makes a box"},
         {with("{type: quadric, coefficients: $[0, 0, 0, 0, 0, 0, 0, 0, 0, 1], clip: {min: [0, 0, 0], max: [1, 1, 1]}}"),
-         "only the last is not 0"},
+         "only the last coefficient is not 0"},
         // x^2 + y^2 + z^2 + 1 is above 0 everywhere, x^2 nowhere below it, and -x^2 - 1 never reaches it.
         {with("{type: quadric, coefficients: $[1, 0, 0, 0, 1, 0, 0, 1, 0, 1]}"), "no inside: q is nowhere below 0"},
         {with("{type: quadric, coefficients: $[1, 0, 0, 0, 0, 0, 0, 0, 0, 0]}"), "no inside: q is nowhere below 0"},
@@ -110,7 +110,7 @@ TEST_CASE("mistakes in clip boxes are reported at the key") {
         {ball("clip: ${min: [0.8, 0.8, 0.8]}"), "no inside within its clip box"},
         // Within the ball, capped faces are a box, and without them nothing is to be seen.
         {ball("clip: ${min: [-0.1, -0.1, -0.1], max: [0.1, 0.1, 0.1]}, caps: false"), "no surface within its clip box"},
-        {ball("caps: $true"), "'caps' close a clip box", "give it a 'clip'"},
+        {ball("caps: $true"), "'caps' needs a clip box", "add a 'clip'"},
         {ball("clip: {min: [0, 0, 0]}, caps: $maybe"), "'caps' must be true or false"},
         {with("{type: hyperboloid_two_sheets, radii: [1, 1, 1], clip: ${min: [null, -0.5, null], "
               "max: [null, 0.5, null]}}"),
@@ -135,15 +135,15 @@ TEST_CASE("transforms that leave a shape too thin or too far away are reported")
         {with("{type: cone, base: [0, 0, 0], top: [0, 1, 0], radius: 1e-6}", "$[{scale: 1e-4}]"), "m thick"},
         {with("{type: torus, major: 1, minor: 1e-6}", "$[{scale: 1e-4}]"), "m thick"},
         {with("{type: ellipsoid, radii: [1, 1e-6, 1]}", "$[{scale: 1e-4}]"), "m thick"},
-        {with("${type: sphere, radius: 1, center: [9e8, 0, 0]}", "[{scale: [2, 1, 1]}]"), "reaches beyond 1e+09 m"},
+        {with("${type: sphere, radius: 1, center: [9e8, 0, 0]}", "[{scale: [2, 1, 1]}]"), "extends beyond 1e+09 m"},
         {with("${type: box, min: [0, 0, 0], max: [1, 1, 1]}", "[{scale: 1e9}, {translate: [5, 0, 0]}]"),
-         "reaches beyond 1e+09 m"},
-        {with("${type: torus, major: 9e8, minor: 2e8}"), "reaches beyond 1e+09 m"},
-        {with("${type: disk, center: [9e8, 0, 0], normal: [0, 1, 0], radius: 2e8}"), "reaches beyond 1e+09 m"},
-        {with("${type: plane, point: [9e8, 0, 0], normal: [0, 1, 0]}", "[{scale: 2}]"), "reaches beyond 1e+09 m"},
-        {with("${type: ellipsoid, center: [9e8, 0, 0], radii: [2e8, 1, 1]}"), "reaches beyond 1e+09 m"},
-        {with("${type: cylinder, base: [9e8, 0, 0], top: [9e8, 1, 0], radius: 2e8}"), "reaches beyond 1e+09 m"},
-        {with("{type: disk, normal: [0, 1, 0], radius: 1e-3}", "$[{scale: 1e-7}]"), "squashes the disk"},
+         "extends beyond 1e+09 m"},
+        {with("${type: torus, major: 9e8, minor: 2e8}"), "extends beyond 1e+09 m"},
+        {with("${type: disk, center: [9e8, 0, 0], normal: [0, 1, 0], radius: 2e8}"), "extends beyond 1e+09 m"},
+        {with("${type: plane, point: [9e8, 0, 0], normal: [0, 1, 0]}", "[{scale: 2}]"), "extends beyond 1e+09 m"},
+        {with("${type: ellipsoid, center: [9e8, 0, 0], radii: [2e8, 1, 1]}"), "extends beyond 1e+09 m"},
+        {with("${type: cylinder, base: [9e8, 0, 0], top: [9e8, 1, 0], radius: 2e8}"), "extends beyond 1e+09 m"},
+        {with("{type: disk, normal: [0, 1, 0], radius: 1e-3}", "$[{scale: 1e-7}]"), "flattens the disk"},
     });
 }
 

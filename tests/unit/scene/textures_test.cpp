@@ -164,7 +164,7 @@ TEST_CASE("a texture with numbers beyond 1 is refused, and so is a file that is 
         return std::string(error->what());
     };
     CHECK_THAT(whatOf("bright.exr"), ContainsSubstring("a pixel of the texture is 1.5"));
-    CHECK_THAT(whatOf("text.png"), ContainsSubstring("no PNG, JPEG or EXR file"));
+    CHECK_THAT(whatOf("text.png"), ContainsSubstring("not a PNG, JPEG or EXR file"));
 }
 
 TEST_CASE("OBJ corners at one position with different texture coordinates become separate vertices") {
@@ -298,9 +298,9 @@ TEST_CASE("code of a scene must be in its folder, be named like its function and
                ContainsSubstring("not in the scene file's folder"));
     CHECK_THAT(refusalOf("link.glsl"), ContainsSubstring("not in the scene file's folder"));
     CHECK_THAT(refusalOf("gone.glsl"), ContainsSubstring("no such file"));
-    CHECK_THAT(refusalOf("none.glsl"), ContainsSubstring("no function 'vec3 none(...)'"));
-    CHECK_THAT(refusalOf("wrong.glsl"), ContainsSubstring("no function 'vec3 wrong(...)'"));
-    CHECK_THAT(refusalOf("takes.glsl"), ContainsSubstring("no #include"));
-    CHECK_THAT(refusalOf("two words.glsl"), ContainsSubstring("called like the function"));
-    CHECK_THAT(refusalOf("good.txt"), ContainsSubstring("called like the function"));
+    CHECK_THAT(refusalOf("none.glsl"), ContainsSubstring("does not define the function 'vec3 none(...)'"));
+    CHECK_THAT(refusalOf("wrong.glsl"), ContainsSubstring("does not define the function 'vec3 wrong(...)'"));
+    CHECK_THAT(refusalOf("takes.glsl"), ContainsSubstring("must not use #include"));
+    CHECK_THAT(refusalOf("two words.glsl"), ContainsSubstring("named after the function"));
+    CHECK_THAT(refusalOf("good.txt"), ContainsSubstring("named after the function"));
 }
