@@ -187,6 +187,19 @@ TEST_CASE("the depths of each integrator are within the range of the key") {
     }
 }
 
+TEST_CASE("the integrators' rows name only settings of the table") {
+    std::set<std::string> names;
+    for (const Setting& setting : settingsTable()) {
+        names.insert(dottedName(setting));
+    }
+    for (const IntegratorRow& row : kIntegrators) {
+        for (const std::string_view name : row.settings) {
+            INFO(row.name << ": " << name);
+            CHECK((name.empty() || names.contains("render." + std::string(name))));
+        }
+    }
+}
+
 TEST_CASE("only settings that leave every pass unchanged may differ between checkpoints") {
     std::set<std::string> free;
     for (const Setting& setting : settingsTable()) {

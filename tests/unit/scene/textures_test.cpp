@@ -241,7 +241,7 @@ TEST_CASE("a glTF texture that cannot be shown is refused, unless the object has
     info["texCoord"] = 1;
     CHECK_THAT(messageOf(),
                ContainsSubstring(
-                   "textures[0]: this texture cannot be shown: it uses texture coordinates other than the first"));
+                   "textures[0]: this texture is not supported: it uses texture coordinates other than the first"));
     info = {{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"scale", {2, 2}}}}}}};
     CHECK_THAT(messageOf(), ContainsSubstring("transforms the texture coordinates"));
     info = {{"index", 0}};
