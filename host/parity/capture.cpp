@@ -44,7 +44,8 @@ void Capture::after(const gpu::Dispatch& dispatch) {
     ++dispatches_;
     const std::string& kernel = dispatch.kernel.name();
     const Check* check = checkOf(kernel);
-    if (check != nullptr && check->paths.take != nullptr) {
+    const CustomCode* withoutTwin = check != nullptr ? codeWithoutTwin(sides_.scene(), *check) : nullptr;
+    if (check != nullptr && check->paths.take != nullptr && withoutTwin == nullptr) {
         check->paths.take(recorder_, *seen_);
     }
     if (!wanted_.empty() && !wanted_.contains(kernel)) {
@@ -60,12 +61,10 @@ void Capture::after(const gpu::Dispatch& dispatch) {
         result.order = dispatches_;
     }
     const std::uint64_t failedBefore = result.failed;
-    if (check != nullptr) {
-        if (const CustomCode* code = codeWithoutTwin(sides_.scene(), *check)) {
-            result.withoutTwin = code->file;
-        } else {
-            check->compare({sides_, *seen_, comparison, "dispatch " + std::to_string(dispatches_)});
-        }
+    if (withoutTwin != nullptr) {
+        result.withoutTwin = withoutTwin->file;
+    } else if (check != nullptr) {
+        check->compare({sides_, *seen_, comparison, "dispatch " + std::to_string(dispatches_)});
     }
     if (failedBefore == 0 && result.failed > 0) {
         result.firstFailure = dispatches_;

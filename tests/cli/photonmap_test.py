@@ -250,6 +250,7 @@ class Warnings(CliTest):
                                     ["render", "scene.yaml", "-o", "a.png"])
 
     def test_a_single_pass_has_layers_where_the_picture_is_a_sum_of_them(self):
+        self.write("ball.yaml", BALL)
         single = ["render", "ball.yaml", "--passes", "1", "--layers", "-o", "a.exr"]
         self.succeed(*single, "--integrator", "path")
         picture = Picture(self.folder / "a.exr")
