@@ -91,7 +91,7 @@ TEST_CASE("a square lights the square opposite it, and part of the adjacent one,
 
 TEST_CASE("lights of every shape light a point of the floor according to their formulas") {
     // The floor is white: radiance E / pi
-    struct Lamp {
+    struct NamedLight {
         std::string name;
         Scene scene;
         double irradiance;
@@ -115,7 +115,7 @@ TEST_CASE("lights of every shape light a point of the floor according to their f
     const auto polygon = [](const Quad& q) {
         return lambertsPolygon({q.corner, q.corner + q.edge0, q.corner + q.edge0 + q.edge1, q.corner + q.edge1});
     };
-    const std::vector<Lamp> lamps{
+    const std::vector<NamedLight> lights{
         {"quad", with(tilted), polygon(tilted)},
         {"mesh", mesh, polygon(square)},
         {"disk", with(Disk{{0, 2, 0}, {0, 0, 1}, {-1, 0, 0}}), pi / 5},          // pi r^2 / (r^2 + h^2), r = 1, h = 2
@@ -125,9 +125,9 @@ TEST_CASE("lights of every shape light a point of the floor according to their f
     // Four times the form factor of a square above its corner, 1 / (2 pi) 2 s atan s, s = X / sqrt(1 + X^2), X = 1/2
     const double s = 0.5 / std::sqrt(1.25);
     CHECK(std::abs(polygon(square) - 4 * s * std::atan(s)) < 1e-12);
-    FalseAlarms alarms(lamps.size() * everyRenderer().size());
-    for (const Lamp& lamp : lamps) {
-        Scene scene = lamp.scene;
+    FalseAlarms alarms(lights.size() * everyRenderer().size());
+    for (const NamedLight& light : lights) {
+        Scene scene = light.scene;
         const Scene picture = reference::test::onePixel({3, 1, 0}, {0, 0, 0}, "whitted");
         scene.camera = picture.camera;
         scene.camera.resolution = {16, 16};
@@ -138,8 +138,8 @@ TEST_CASE("lights of every shape light a point of the floor according to their f
         const std::size_t white = reference::test::addMaterial(scene, Diffuse{dvec3(1)});
         reference::test::addObject(scene, Quad{{-5, 0, 5}, {10, 0, 0}, {0, 0, -10}}, white);
         for (const Renderer& renderer : everyRenderer()) {
-            INFO(renderer.name << ", " << lamp.name);
-            CHECK(judge(alarms, renderer, scene, everywhere(lamp.irradiance / pi), Independent::Pixels,
+            INFO(renderer.name << ", " << light.name);
+            CHECK(judge(alarms, renderer, scene, everywhere(light.irradiance / pi), Independent::Pixels,
                         {.bias = 1e-4, .sees = 0.05})); // pixels 1e-4 rad wide
         }
     }

@@ -62,21 +62,21 @@ TEST_CASE("a light reflected in a glass face has radiance F L, and at least kSha
     const double expected = fresnel(angle, 1.5) * L;
     const dvec3 away(-std::sin(angle), 0, std::cos(angle));
     const dvec3 side(std::cos(angle), 0, std::sin(angle));
-    const std::vector<Shape> lamps{Quad{2.0 * away - 0.5 * side - dvec3(0, 0.5, 0), {0, 1, 0}, side},
-                                   Disk{2.0 * away, {0, 0.7, 0}, 0.7 * side}, Sphere{2.0 * away, 0.7}};
+    const std::vector<Shape> lights{Quad{2.0 * away - 0.5 * side - dvec3(0, 0.5, 0), {0, 1, 0}, side},
+                                    Disk{2.0 * away, {0, 0.7, 0}, 0.7 * side}, Sphere{2.0 * away, 0.7}};
     const std::string_view byChance[] = {"ppm", "path"};
     const std::vector<Renderer> renderers = renderersOf(byChance);
-    FalseAlarms alarms(lamps.size() * renderers.size());
-    for (const Shape& lamp : lamps) {
+    FalseAlarms alarms(lights.size() * renderers.size());
+    for (const Shape& light : lights) {
         Scene scene = reference::test::onePixel({3 * std::sin(angle), 0, 3 * std::cos(angle)}, {0, 0, 0}, "ppm");
         scene.camera.resolution = {32, 32};
         scene.render.maxDepth = 2;
         scene.render.passes = 1;
         const std::size_t glass = reference::test::addMaterial(scene, Dielectric{1.5});
         reference::test::addObject(scene, Quad{{-5, -5, 0}, {10, 0, 0}, {0, 10, 0}}, glass);
-        reference::test::addObject(scene, lamp, std::nullopt, dvec3(L));
+        reference::test::addObject(scene, light, std::nullopt, dvec3(L));
         for (const Renderer& renderer : renderers) {
-            INFO(renderer.name << ", lamp " << lamp.index());
+            INFO(renderer.name << ", light " << light.index());
             CHECK(
                 judge(alarms, renderer, scene, everywhere(expected), Independent::Pixels, {.bias = 2e-4, .sees = 0.3}));
             for (const double ratio : pixelRatios(renderBy(renderer, scene), everywhere(expected))) {

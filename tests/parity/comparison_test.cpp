@@ -130,15 +130,15 @@ TEST_CASE("a number is apart within the effect of input roundings, and has faile
 }
 
 TEST_CASE("a stage with too many differences due to rounding fails") {
-    const Comparison::Twin coin = [](Nudge nudge) { return hitOf(nudge.movesNothing() ? 1 : 2, 5); };
+    const Comparison::Twin undecided = [](Nudge nudge) { return hitOf(nudge.movesNothing() ? 1 : 2, 5); };
     const Comparison::Twin sure = [](Nudge) { return hitOf(1, 5); };
     Comparison comparison = hitComparison();
     for (std::size_t i = 0; i < 100; ++i) { // one in fifty is allowed: two of a hundred, not three
         const bool isApart = i < 2;
-        static_cast<void>(comparison.compare("", i, hitOf(isApart ? 2 : 1, 5), isApart ? coin : sure, noInputs));
+        static_cast<void>(comparison.compare("", i, hitOf(isApart ? 2 : 1, 5), isApart ? undecided : sure, noInputs));
     }
     CHECK(comparison.result().passed());
-    static_cast<void>(comparison.compare("", 100, hitOf(2, 5), coin, noInputs));
+    static_cast<void>(comparison.compare("", 100, hitOf(2, 5), undecided, noInputs));
     CHECK(comparison.result().apart == 3);
     CHECK_FALSE(comparison.result().passed());
 }
