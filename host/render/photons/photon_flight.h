@@ -59,6 +59,8 @@ private:
     Compaction compaction_;
     PhotonQueue queue_;
     gpu::Array<shared::Photon> photons_;
+    // Largest number of slots per photon so far, by kind; 0: none of that kind was followed yet
+    std::array<double, kKinds> slotsPerPhoton_{};
     std::uint64_t raysTraced_ = 0;
 };
 
