@@ -130,10 +130,10 @@ void main() {
 
 } // namespace
 
-TEST_CASE("as many threads run as stand on the device when the dispatch begins", "[commands]") {
+TEST_CASE("a dispatch runs the number of threads stored on the device when it begins", "[commands]") {
     const Kernel kernel = liveKernel();
     Gpu& device = Gpu::shared();
-    // None, a part of a group, all there may be; two rows of groups; more than a GPU is given at once
+    // No thread, part of a group, the maximum; two rows of groups; more than one submission holds
     for (const auto& [count, most] :
          {std::pair{0U, 100U}, {65U, 100U}, {100U, 100U}, {2'100'000U, 3'000'000U}, {8'500'000U, 9'000'000U}}) {
         CAPTURE(count, most);
@@ -149,7 +149,7 @@ TEST_CASE("as many threads run as stand on the device when the dispatch begins",
         const std::vector<std::uint32_t> ran = values.read();
         CHECK(std::count(ran.begin(), ran.end(), 1U) == count);
         CHECK((count == 0 || ran[count - 1] == 1));
-        // Empty dispatches are none
+        // Empty dispatches are not recorded
         CHECK(commands.times().contains("count_live") == (count > 0 || most <= 8'388'608));
         if (count > 0) {
             CHECK(commands.times().at("count_live").threads == count);
@@ -180,7 +180,7 @@ TEST_CASE("an observer sees the number of threads that the device has, and no em
         const gpu::ThreadCount threads(sizes, index, 1000);
         commands.run(kernel, LiveArguments{values.buffer().address(), threads.live().address, 1000}, threads);
     }
-    // By a number of threads, with a size on the device all the same
+    // Dispatched with a fixed thread count, despite the size on the device
     const gpu::ThreadCount threads(sizes, 1, 1000);
     commands.run(kernel, LiveArguments{values.buffer().address(), threads.live().address, 1000}, 64);
     CHECK(observer.seen == std::vector<std::pair<std::uint32_t, std::uint32_t>>{{300, 300}, {64, 300}});
