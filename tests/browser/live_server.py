@@ -7,6 +7,7 @@ import re
 import shutil
 import signal
 import subprocess
+import tempfile
 import threading
 import time
 import urllib.parse
@@ -103,4 +104,11 @@ def replace(path, old, new):
     """Edits a file as an editor does; the old text must occur in it."""
     text = path.read_text()
     assert old in text, (path, old)
-    path.write_text(text.replace(old, new))
+    save(path, text.replace(old, new))
+
+
+def save(path, text):
+    """Replaces a file as a whole: written in place, it would be seen empty for a moment."""
+    with tempfile.NamedTemporaryFile("w", delete=False) as temporary:
+        temporary.write(text)
+    shutil.move(temporary.name, path)

@@ -10,7 +10,7 @@ import time
 import unittest
 
 from browser import console_complaints, open_browser
-from live_server import PASSES, SIDE, LiveServer, replace
+from live_server import PASSES, SIDE, LiveServer, replace, save
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
@@ -47,7 +47,7 @@ class Live(unittest.TestCase):
         def restore():
             if path.read_text() != text:
                 changes = self.server.state()["changes"]
-                path.write_text(text)
+                save(path, text)
                 self.server.wait_for(lambda state: state["changes"] > changes and not state["busy"] and not state["errors"])
         self.addCleanup(restore)
         return path
@@ -124,7 +124,7 @@ class Page(Live):
         before = self.drawn()
         number = self.canvas().get_attribute("data-id")
         path = self.shader("bsdf/diffuse.glsl")
-        path.write_text(path.read_text() + "float oops() { return missing; }\n")
+        save(path, path.read_text() + "float oops() { return missing; }\n")
         line = len(path.read_text().splitlines())
         card = self.wait(lambda: self.browser.find_elements(By.CSS_SELECTOR, ".error"))[0].text
         for part in ("'gather_radiance'", "missing", f"shaders/bsdf/diffuse.glsl:{line}", "float oops"):

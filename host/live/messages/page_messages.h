@@ -57,7 +57,7 @@ struct StateAnswer {
     std::deque<std::string> notes;
     double firstPixelSeconds = 0; // from the last change of the page to the first picture that shows it
     double reloadSeconds = 0;     // likewise of a saved file
-    std::uint64_t changes = 0;    // of files, settings and view since the start
+    std::uint64_t changes = 0;    // of files, settings and view; the start is number 1
     bool isBusy = true;           // work is left to do after the last change
     bool isClosing = false;       // the server ends
     bool mayWrite = false;        // the page may save files

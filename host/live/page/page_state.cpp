@@ -43,6 +43,7 @@ PageState::PageState(std::string sceneName, std::map<std::string, std::string> s
     : sceneName_(std::move(sceneName)), startSettings_(std::move(settings)),
       files_(std::make_shared<const LiveFiles>(std::move(files))) {
     wanted_.revision = 1;
+    wanted_.change = 1;
     wanted_.settings = startSettings_;
 }
 

@@ -89,7 +89,9 @@ private:
     std::uint64_t version_ = 1;
     bool isClosing_ = false;
 
-    Look wanted_; // its `change`: changes of files, settings, view and pixel since the start
+    // Its `change` counts changes of files, settings, view and pixel. The start is number 1: a worker that has not
+    // received anything yet is done with number 0.
+    Look wanted_;
     Clock::time_point revisedAt_ = Clock::now();
     std::optional<Clock::time_point> savedAt_; // the last saved file that no picture has followed yet
     bool workerIsWanted_ = true;

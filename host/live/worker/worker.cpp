@@ -254,7 +254,7 @@ private:
     LiveRenderer renderer_;
     State state_ = State::Stuck;
     std::uint32_t revision_ = 0;
-    std::uint64_t change_ = 0; // the last one that a message was about
+    std::uint64_t change_ = 0; // the last one that a message was about; 0: none yet
     std::optional<InspectPixel> inspection_;
     StandingErrors errors_;
     std::map<std::string, FileStamp> filesRead_; // that the scene was loaded from, before it was

@@ -28,20 +28,22 @@ ChangeRequest viewOf(const std::string& shown) {
 TEST_CASE("a change has a number, and the page is busy until the worker is done with it", "[live]") {
     PageState page = makePage();
     StateAnswer state = page.state(0, 0ms);
-    CHECK(state.changes == 0);
+    CHECK(state.changes == 1);
     CHECK(state.isBusy);
-    page.finished({0});
+    page.finished({0}); // a worker that has not received what the page wants
+    CHECK(page.state(0, 0ms).isBusy);
+    page.finished({1});
     CHECK_FALSE(page.state(0, 0ms).isBusy);
     page.change(viewOf("depth"));
     state = page.state(0, 0ms);
     CHECK(state.shown == "depth");
     CHECK(state.revision == 2);
-    CHECK(state.changes == 1);
+    CHECK(state.changes == 2);
     CHECK(state.isBusy);
-    CHECK(page.filesChanged() == 2);
-    page.finished({1});
-    CHECK(page.state(0, 0ms).isBusy);
+    CHECK(page.filesChanged() == 3);
     page.finished({2});
+    CHECK(page.state(0, 0ms).isBusy);
+    page.finished({3});
     CHECK_FALSE(page.state(0, 0ms).isBusy);
     // A worker that starts anew has everything before it
     page.workerStarts();
