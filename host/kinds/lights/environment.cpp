@@ -81,7 +81,7 @@ void read(Reader& reader, const std::filesystem::path& folder, Scene& scene) {
         if (radiance) {
             radiance->readColor(color, kColor.range);
             if (color == glm::dvec3(0)) {
-                radiance->fail("this light is dark", "give it a radiance above 0 or leave it out");
+                radiance->fail("this light emits nothing", "give it a radiance above 0 or leave it out");
             }
         }
         environment.image = Image(1, 1);
@@ -92,7 +92,7 @@ void read(Reader& reader, const std::filesystem::path& folder, Scene& scene) {
         largest = std::max(largest, static_cast<double>(std::max({c.x, c.y, c.z})));
     }
     if (!(largest * environment.scale > 0)) {
-        (scale ? *scale : reader.map()).fail("this light is dark", "give it a scale above 0 or leave it out");
+        (scale ? *scale : reader.map()).fail("this light emits nothing", "give it a scale above 0 or leave it out");
     }
     if (largest * environment.scale > kLargestEmission) {
         (image ? *image : reader.map()).fail("the environment is too bright", "its radiance is " + kRadiance.text());

@@ -235,7 +235,7 @@ Mesh mergeParts(const ImportedFile& file) {
     for (const ImportedPart& part : file.parts) {
         if (!isInvertible(part.toFile)) {
             throw Error(ExitCode::BadInput, SourceLocation{.file = mesh.file},
-                        part.name + ": its transforms are singular: they have no inverse",
+                        part.name + ": the transform of this part is singular: it has no inverse",
                         "a part that has no volume is no part of a solid: remove it, or scale it by another factor");
         }
         append(file.meshes[part.mesh], part.toFile, isSmooth, mesh);
