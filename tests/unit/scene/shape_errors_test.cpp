@@ -45,7 +45,8 @@ TEST_CASE("mistakes in cylinders and cones are reported at the key") {
 TEST_CASE("mistakes in tori, planes and disks are reported at the key") {
     checkAll({
         {with("${type: torus, minor: 1}"), "missing key 'major'"},
-        {with("{type: torus, major: 1, minor: $1}"), "'minor' must be less than 'major', 1 m", "the tube would intersect the axis"},
+        {with("{type: torus, major: 1, minor: $1}"), "'minor' must be less than 'major', 1 m",
+         "the tube would intersect the axis"},
         {with("{type: torus, major: 1, minor: $2}"), "'minor' must be less than 'major'"},
         {with("{type: torus, major: 1, minor: $0}"), "'minor' must be in [1e-09, 1e+09] m"},
         {with("{type: torus, major: 1, minor: 0.5, axis: $[0, 0, 0]}"), "'axis' must not be zero"},
