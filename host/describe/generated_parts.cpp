@@ -11,12 +11,29 @@ namespace {
 
 constexpr std::size_t kWidth = 120;
 
+// With the indentation of definitions in the file.
+std::string definitionHead(const std::string& name) {
+    return "\n    \"" + name + "\": {";
+}
+
 std::string row(const std::vector<std::string>& cells) {
     std::string line = "|";
     for (const std::string& cell : cells) {
         line += cell.empty() ? " |" : ' ' + cell + " |";
     }
     return line + '\n';
+}
+
+// A row of a table of types.
+std::string typeRow(const std::string& type, const KeyDoc& key) {
+    return row({type, '`' + std::string(key.name) + '`', typeText(key), std::string(key.range.unit),
+                std::string(key.defaultText), rangeText(key), std::string(key.text)});
+}
+
+// The place of the definition's head; npos if the schema has no such definition.
+std::size_t findDefinition(const std::string& schema, const std::string& name) {
+    const std::size_t definitions = schema.find("\"$defs\"");
+    return definitions == std::string::npos ? definitions : schema.find(definitionHead(name), definitions);
 }
 
 // "NAME": {members}, on one line if they fit, else the description and the rest on lines of their own.
@@ -37,6 +54,18 @@ std::string property(const std::string& name, const std::vector<std::string>& me
     }
     return head + '\n' + (isDescribed ? indent + "  " + members.front() + ",\n" : "") + indent + "  " + rest + '\n' +
            indent + '}';
+}
+
+// {"const": "a"} or {"enum": ["a", "b"]}, without braces.
+std::string typeSchema(std::string_view type, std::span<const std::string_view> types) {
+    if (types.size() < 2) {
+        return "\"const\": \"" + std::string(type) + '"';
+    }
+    std::string words;
+    for (const std::string_view word : types) {
+        words += (words.empty() ? "\"" : ", \"") + std::string(word) + '"';
+    }
+    return "\"enum\": [" + words + ']';
 }
 
 // The end of the JSON value that begins at `start` with a brace: one past its closing brace.
@@ -88,7 +117,10 @@ std::string keyTable(std::span<const KeyDoc> keys, const std::string& extraHead,
     return table;
 }
 
-std::string typeTable(std::span<const MapDoc> types) {
+std::string typeTable(std::span<const MapDoc> types, std::span<const KeyDoc> ofAll) {
+    const auto isOfAll = [&](const KeyDoc& key) {
+        return std::ranges::find(ofAll, key.name, &KeyDoc::name) != ofAll.end();
+    };
     std::string table =
         row({"type", "key", "kind", "unit", "default", "range", "meaning"}) + "|---|---|---|---|---|---|---|\n";
     for (const MapDoc& type : types) {
@@ -97,10 +129,14 @@ std::string typeTable(std::span<const MapDoc> types) {
             table += row({name, "", "", "", "", "", std::string(type.text)});
         }
         for (const KeyDoc& key : type.keys) {
-            table += row({name, '`' + std::string(key.name) + '`', typeText(key), std::string(key.range.unit),
-                          std::string(key.defaultText), rangeText(key), std::string(key.text)});
-            name.clear(); // only in the first row
+            if (!isOfAll(key)) {
+                table += typeRow(name, key);
+                name.clear(); // only in the first row
+            }
         }
+    }
+    for (const KeyDoc& key : ofAll) {
+        table += typeRow("all", key);
     }
     return table;
 }
@@ -115,7 +151,7 @@ std::string withGenerated(const std::string& text, const std::string& name, cons
     return text.substr(0, start + mark.size()) + part + text.substr(end);
 }
 
-std::string definition(const MapDoc& map) {
+std::string definition(const MapDoc& map, std::span<const std::string_view> types) {
     std::string required = map.type.empty() ? "" : "\"type\"";
     for (const KeyDoc& key : map.keys) {
         if (key.required) {
@@ -134,7 +170,7 @@ std::string definition(const MapDoc& map) {
     text += indent + "\"additionalProperties\": false,\n" + indent + "\"properties\": {\n";
     std::vector<std::string> properties;
     if (!map.type.empty()) {
-        properties.push_back(property("type", {"\"const\": \"" + std::string(map.type) + '"'}));
+        properties.push_back(property("type", {typeSchema(map.type, types)}));
     }
     for (const KeyDoc& key : map.keys) {
         properties.push_back(property(std::string(key.name), schemaMembers(key)));
@@ -145,14 +181,31 @@ std::string definition(const MapDoc& map) {
     return text + indent + "}\n    }";
 }
 
+std::string definition(const KeyDoc& key) {
+    std::string all;
+    for (const std::string& member : schemaMembers(key)) {
+        all += (all.empty() ? "\n      " : ",\n      ") + member;
+    }
+    return '{' + all + "\n    }";
+}
+
+std::string withPlaceFor(const std::string& schema, const std::string& name, const std::string& next) {
+    if (findDefinition(schema, name) != std::string::npos) {
+        return schema;
+    }
+    const std::size_t place = findDefinition(schema, next);
+    if (place == std::string::npos) {
+        throw Error(ExitCode::BadInput, "the JSON schema has no definition '" + next + "'");
+    }
+    return schema.substr(0, place) + definitionHead(name) + "}," + schema.substr(place);
+}
+
 std::string withDefinition(const std::string& schema, const std::string& name, const std::string& part) {
-    const std::string head = "\n    \"" + name + "\": {"; // the indentation of definitions in the file
-    const std::size_t definitions = schema.find("\"$defs\"");
-    const std::size_t start = definitions == std::string::npos ? definitions : schema.find(head, definitions);
+    const std::size_t start = findDefinition(schema, name);
     if (start == std::string::npos) {
         throw Error(ExitCode::BadInput, "the JSON schema has no definition '" + name + "' to replace");
     }
-    const std::size_t brace = start + head.size() - 1;
+    const std::size_t brace = start + definitionHead(name).size() - 1;
     return schema.substr(0, brace) + part + schema.substr(endOfObject(schema, brace));
 }
 

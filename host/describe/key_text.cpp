@@ -69,6 +69,9 @@ std::string valueSchema(const KeyDoc& key) {
     case KeyType::Word:
         return wordsSchema(key.words);
     case KeyType::Text:
+        if (!key.schema.empty()) {
+            break;
+        }
         return R"("type": ["string", "number", "boolean"])"; // YAML reads the name 12 as a number
     case KeyType::Vector:
         return isAnyCoordinate(key) ? R"("$ref": "#/$defs/vector")" : arraySchema("number", key.range, 3);

@@ -3,9 +3,11 @@
 
 #include "describe/generated_parts.h"
 #include "describe/key_text.h"
+#include "describe/kinds_format.h"
 #include "scene/yaml/settings_table.h"
 
 #include <deque>
+#include <utility>
 #include <vector>
 
 namespace hyalite::describe {
@@ -64,14 +66,14 @@ std::string describedSchema(std::string schema) {
     const SectionKeys camera(Section::Camera);
     const SectionKeys render(Section::Render);
     const std::string rules = depthRules();
-    schema = withDefinition(schema, "camera", definition({.keys = camera.keys}));
+    schema = withDefinition(schemaWithKinds(std::move(schema)), "camera", definition({.keys = camera.keys}));
     return withDefinition(schema, "render", definition({.keys = render.keys, .rules = rules}));
 }
 
 std::string describedDocs(std::string markdown) {
     const SectionKeys camera(Section::Camera);
     const SectionKeys render(Section::Render);
-    markdown = withGenerated(markdown, "camera", keyTable(camera.keys));
+    markdown = withGenerated(docsWithKinds(std::move(markdown)), "camera", keyTable(camera.keys));
     return withGenerated(markdown, "render", keyTable(render.keys, "integrators", render.integrators));
 }
 

@@ -16,10 +16,9 @@ constexpr KeyDoc kStrength{.name = "irradiance",
                            .type = KeyType::Color,
                            .range = kIrradiance,
                            .defaultText = "1",
-                           .text = "irradiance of a surface that faces the light, not all 0",
-                           .rangeText = "[0, 1e12], not all 0"};
+                           .text = "irradiance of a surface that faces the light, not all 0"};
 constexpr KeyDoc kRadius{
-    .name = "radius", .range = kLength, .defaultText = "none: light everywhere", .text = "radius of a beam"};
+    .name = "radius", .range = kLength, .defaultText = "none: the whole scene is lit", .text = "radius of a beam"};
 constexpr KeyDoc kCenter{.name = "center",
                          .type = KeyType::Vector,
                          .range = kCoordinate,

@@ -19,13 +19,13 @@ using std::numbers::pi;
 constexpr KeyDoc kImage{.name = "image",
                         .type = KeyType::Text,
                         .defaultText = "none",
-                        .text = "EXR or PNG file, equirectangular; path relative to the scene file"};
+                        .text = "EXR or PNG file, equirectangular; path relative to the scene file",
+                        .schema = R"({"type": "string", "minLength": 1})"};
 constexpr KeyDoc kColor{.name = "radiance",
                         .type = KeyType::Color,
                         .range = kRadiance,
                         .defaultText = "1",
-                        .text = "uniform radiance, instead of an `image`; not all 0",
-                        .rangeText = "[0, 1e12], not all 0"};
+                        .text = "uniform radiance, instead of an `image`; not all 0"};
 constexpr KeyDoc kScale{.name = "scale",
                         .range = {0, kLargestEmission},
                         .defaultText = "1",

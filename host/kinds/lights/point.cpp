@@ -11,12 +11,8 @@ namespace {
 using std::numbers::pi;
 
 constexpr KeyDoc kPosition{.name = "position", .type = KeyType::Vector, .range = kCoordinate, .required = true};
-constexpr KeyDoc kStrength{.name = "intensity",
-                           .type = KeyType::Color,
-                           .range = kIntensity,
-                           .defaultText = "1",
-                           .text = "not all 0",
-                           .rangeText = "[0, 1e12], not all 0"};
+constexpr KeyDoc kStrength{
+    .name = "intensity", .type = KeyType::Color, .range = kIntensity, .defaultText = "1", .text = "not all 0"};
 constexpr std::array kKeys{kPosition, kStrength, kPhotonShare};
 
 void read(Reader& reader, const std::filesystem::path& /*folder*/, Scene& scene) {

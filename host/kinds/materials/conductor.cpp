@@ -23,12 +23,13 @@ constexpr KeyDoc kEta{
     .name = "eta", .type = KeyType::Color, .range = kIor, .text = "real part of the refractive index, relative to air"};
 constexpr KeyDoc kExtinction{
     .name = "k", .type = KeyType::Color, .range = {0, 100}, .text = "imaginary part of the refractive index"};
-constexpr KeyDoc kRoughness = roughnessKey("0: polished; above 0: matt, see below");
+constexpr KeyDoc kRoughness = roughnessKey("0: polished; above 0: brushed evenly");
 constexpr std::array kKeys{kMetal, kEta, kExtinction, kRoughness};
 
 constexpr std::string_view kRules = R"({"oneOf": [
-    {"required": ["metal"], "properties": {"eta": false, "k": false}},
-    {"required": ["eta", "k"], "properties": {"metal": false}}]})";
+        {"required": ["metal"], "properties": {"eta": false, "k": false}},
+        {"required": ["eta", "k"], "properties": {"metal": false}}
+      ]})";
 
 MaterialModel read(Reader& reader, const Scene& /*scene*/, Material& /*has no textures*/) {
     Conductor conductor;

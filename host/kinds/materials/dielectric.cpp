@@ -11,10 +11,10 @@ constexpr KeyDoc kIndex{.name = "ior",
                         .defaultText = "1.5",
                         .text = "refractive index inside over outside, e.g. of glass or water; the surface must be "
                                 "closed with its normals outward"};
-constexpr KeyDoc kRoughness = roughnessKey("0: clear glass; above 0: frosted, see below");
+constexpr KeyDoc kRoughness = roughnessKey("0: clear glass; above 0: frosted");
 constexpr KeyDoc kAbsorption{.name = "absorption",
                              .type = KeyType::Color,
-                             .range = {0, 1 / kSmallestLength, true, true, "1/m"},
+                             .range = {0, 1e9, true, true, "1/m"},
                              .defaultText = "0",
                              .text = "absorption coefficient σ inside: after t metres, e^(-σ t) of the light is left"};
 constexpr std::array kKeys{kIndex, kRoughness, kAbsorption};

@@ -16,9 +16,9 @@ inline constexpr KeyDoc kMetallic{
     .name = "metallic",
     .range = kFraction,
     .defaultText = "0",
-    .text = "0: a dielectric, diffuse under a coat that reflects 4 %; 1: a metal; between: a mixture"};
+    .text = "0: a dielectric, diffuse under a layer that reflects 4 %; 1: a metal; between: a mixture"};
 inline constexpr KeyDoc kBaseRoughness{
-    .name = "roughness", .range = kFraction, .defaultText = "0.5", .text = "roughness of the coat or the metal"};
+    .name = "roughness", .range = kFraction, .defaultText = "0.5", .text = "roughness of that layer or of the metal"};
 inline constexpr KeyDoc kMetallicRoughnessTexture{
     .name = "metallic_roughness_texture",
     .type = KeyType::Other,

@@ -16,8 +16,7 @@ constexpr KeyDoc kMax{.name = "max",
                       .type = KeyType::Vector,
                       .range = kCoordinate,
                       .required = true,
-                      .text = "above `min` in each coordinate",
-                      .rangeText = "at least 1e-9 above `min` in each coordinate"};
+                      .text = "at least 1e-9 above `min` in each coordinate"};
 constexpr std::array kKeys{kMin, kMax};
 
 Shape read(Reader& reader, const Surroundings& around) {

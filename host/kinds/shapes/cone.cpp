@@ -15,8 +15,7 @@ constexpr KeyDoc kRadius{.name = "radius", .range = kEndRadius, .required = true
 constexpr KeyDoc kTopRadius{.name = "top_radius",
                             .range = kEndRadius,
                             .defaultText = "0",
-                            .text = "radius at the top; one of the two must be at least 1e-9",
-                            .rangeText = "[0, 1e9]; one of the two at least 1e-9"};
+                            .text = "radius at the top; one of the two must be at least 1e-9"};
 constexpr std::array kKeys{kBase, kTop, kRadius, kTopRadius, kOpen};
 
 Shape read(Reader& reader, const Surroundings& around) {

@@ -229,14 +229,17 @@ std::vector<std::uint32_t> leafTypes(const Csg& csg) {
     return types;
 }
 
-constinit const ShapeKind kCsgShape{
-    .doc =
-        {.type = "csg",
-         .schemaName = "csg",
-         .text = "A combination of solids.",
-         .keys = kKeys,
-         .rules =
-             R"({"oneOf": [{"required": ["left", "right"], "not": {"required": ["shapes"]}}, {"required": ["shapes"], "not": {"anyOf": [{"required": ["left"]}, {"required": ["right"]}]}}], "if": {"required": ["cut_material"]}, "then": {"properties": {"op": {"const": "difference"}}}})"},
-    .read = read};
+constinit const ShapeKind kCsgShape{.doc = {.type = "csg",
+                                            .schemaName = "csg",
+                                            .text = "A combination of solids.",
+                                            .keys = kKeys,
+                                            .rules =
+                                                R"({"oneOf": [
+        {"required": ["left", "right"], "not": {"required": ["shapes"]}},
+        {"required": ["shapes"], "not": {"anyOf": [{"required": ["left"]}, {"required": ["right"]}]}}
+      ],
+      "if": {"required": ["cut_material"]},
+      "then": {"properties": {"op": {"const": "difference"}}}})"},
+                                    .read = read};
 
 } // namespace hyalite::kinds

@@ -43,7 +43,7 @@ ObjectRecord record(const Disk& disk, ObjectTables& /*tables*/) {
     return flatRecord(shared::kShapeDisk, disk.center, disk.axis0, disk.axis1);
 }
 
-constinit const ShapeKind kDiskShape{.doc = {.type = "disk", .schemaName = "disk", .text = "", .keys = kKeys},
-                                     .read = read};
+constinit const ShapeKind kDiskShape{
+    .doc = {.type = "disk", .schemaName = "disk", .text = "", .keys = kKeys}, .read = read, .isSolid = false};
 
 } // namespace hyalite::kinds

@@ -19,7 +19,9 @@ namespace {
 constexpr KeyDoc kFile{.name = "file",
                        .type = KeyType::Text,
                        .required = true,
-                       .text = "OBJ, PLY, STL or glTF file; path relative to the scene file"};
+                       .text = "OBJ, PLY, STL or glTF file; path relative to the scene file",
+                       .schema = R"({"type": "string",
+          "pattern": "\\.([oO][bB][jJ]|[pP][lL][yY]|[sS][tT][lL]|[gG][lL][tT][fF]|[gG][lL][bB])$"})"};
 constexpr std::array kKeys{kFile};
 
 // Adds a texture of the mesh file to the scene. Each material gets its own copy: few files share textures.
@@ -99,17 +101,15 @@ ObjectRecord record(const MeshInstance& instance, ObjectTables& tables) {
 }
 
 constinit const ShapeKind kMeshShape{
-    .doc =
-        {.type = "mesh",
-         .schemaName = "mesh",
-         .text = "A `mesh` is a Wavefront OBJ file (`.obj`), a PLY file (`.ply`: ascii, binary little endian or big "
-                 "endian), an STL file (`.stl`: text or binary; equal corners are welded, shading is flat) or a glTF "
-                 "file. Objects that name the same file share one copy. Seen from the front, corners are "
-                 "counter-clockwise. Faces with vertex normals are shaded smooth, faces without them flat. Polygons "
-                 "must be convex (or have four corners) and are cut into a fan of triangles.",
-         .keys = kKeys,
-         .rules =
-             R"({"properties": {"file": {"pattern": "\\.([oO][bB][jJ]|[pP][lL][yY]|[sS][tT][lL]|[gG][lL][tT][fF]|[gG][lL][bB])$"}}})"},
+    .doc = {.type = "mesh",
+            .schemaName = "mesh",
+            .text =
+                "A `mesh` is a Wavefront OBJ file (`.obj`), a PLY file (`.ply`: ascii, binary little endian or big "
+                "endian), an STL file (`.stl`: text or binary; equal corners are welded, shading is flat) or a glTF "
+                "file. Objects that name the same file share one copy. Seen from the front, corners are "
+                "counter-clockwise. Faces with vertex normals are shaded smooth, faces without them flat. Polygons "
+                "must be convex (or have four corners) and are cut into a fan of triangles.",
+            .keys = kKeys},
     .read = read,
     .makesParts = true};
 

@@ -9,7 +9,11 @@
 namespace hyalite::kinds {
 namespace {
 
-constexpr KeyDoc kCenter{.name = "center", .type = KeyType::Vector, .range = kCoordinate, .defaultText = "[0, 0, 0]"};
+constexpr KeyDoc kCenter{.name = "center",
+                         .type = KeyType::Vector,
+                         .range = kCoordinate,
+                         .defaultText = "[0, 0, 0]",
+                         .text = "centre; of a paraboloid its vertex"};
 constexpr KeyDoc kAxis{.name = "axis",
                        .type = KeyType::Vector,
                        .range = kDirection,

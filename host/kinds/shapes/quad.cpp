@@ -54,6 +54,7 @@ constinit const ShapeKind kQuadShape{
             .schemaName = "quad",
             .text = "A parallelogram. Its front is the side to which edge 0 × edge 1 points (right hand).",
             .keys = kKeys},
-    .read = read};
+    .read = read,
+    .isSolid = false};
 
 } // namespace hyalite::kinds

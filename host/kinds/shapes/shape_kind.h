@@ -10,6 +10,7 @@
 #include "scene/yaml/read_placement.h"
 #include "scene/yaml/reader.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -34,7 +35,23 @@ struct ShapeKind {
     // about their own centres, where floats are most precise, with an objectToWorld map. Throws Error(BadInput).
     Shape (*read)(Reader& reader, const Surroundings& around) = nullptr;
 
+    bool isSolid = true;     // may be an operand of a csg; for meshes that depends on the file
     bool makesParts = false; // may put several objects into Surroundings::parts
 };
+
+// Every shape has these keys.
+inline constexpr KeyDoc kShapeTransform{
+    .name = "transform",
+    .type = KeyType::Other,
+    .defaultText = "none",
+    .text = "applied to the shape before the transforms of enclosing shapes; the object's comes last",
+    .schema = R"({"$ref": "#/$defs/transform"})",
+    .typeText = "list"};
+inline constexpr KeyDoc kShapeMaterial{.name = "material",
+                                       .type = KeyType::Text,
+                                       .defaultText =
+                                           "that of the nearest enclosing `csg` that has one, else the object's",
+                                       .text = "name of one of the `materials`"};
+inline constexpr std::array kKeysOfAllShapes{kShapeTransform, kShapeMaterial};
 
 } // namespace hyalite::kinds

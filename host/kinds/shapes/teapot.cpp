@@ -31,6 +31,7 @@ constinit const ShapeKind kTeapotShape{
                     "axis, 3.15 m high, with its handle towards -x and its spout towards +x, 6.4 m across. Like the "
                     "original it is not closed.",
             .keys = kKeys},
-    .read = read};
+    .read = read,
+    .isSolid = false};
 
 } // namespace hyalite::kinds

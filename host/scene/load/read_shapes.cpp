@@ -18,10 +18,10 @@ Object readShape(const Value& value, const kinds::Surroundings& around) {
     const kinds::ShapeKind& kind = *choose<const kinds::ShapeKind*>(reader.require("type"), "shape", choices);
     kinds::Surroundings inner = around;
     inner.parts = kind.makesParts ? around.parts : nullptr; // in a csg a mesh file is one solid
-    if (const auto transform = reader.find("transform")) {
+    if (const auto transform = reader.find(kinds::kShapeTransform.name)) {
         inner.placement = {readTransform(*transform, around.placement.objectToWorld), transform};
     }
-    if (const auto name = reader.find("material")) {
+    if (const auto name = reader.find(kinds::kShapeMaterial.name)) {
         inner.material = findMaterial(*name, around.scene);
     }
     Object object;

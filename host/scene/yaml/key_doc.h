@@ -31,7 +31,7 @@ struct KeyDoc {
     bool required = false;
     std::string_view text = {}; // what the key means: one line of Markdown, no full stop
     std::span<const std::string_view> words = {};
-    std::string_view schema = {}; // KeyType::Other: a JSON schema
+    std::string_view schema = {}; // a JSON schema, for KeyType::Other, or for texts that not every name is
     // Replace, in the tables of the documentation, the text made from the members above
     std::string_view typeText = {};  // "two colours"
     std::string_view rangeText = {}; // "at least 1e-9 above `min` in each coordinate"

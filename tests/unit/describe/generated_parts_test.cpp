@@ -70,6 +70,12 @@ TEST_CASE("a table of types names each type at its first key") {
           "| `cells` | `size` | number | m | | [1e-9, 1e9] | edge of a cell, see [cells](cells.md) |\n"
           "| | `share` | number | | 2/3 | (0, 1) | of the `light` |\n"
           "| `plain` | | | | | | has no keys |\n");
+    // Keys that all types share come once, at the end.
+    CHECK(describe::typeTable({types.data(), 1}, {&kKeys[1], 1}) ==
+          "| type | key | kind | unit | default | range | meaning |\n"
+          "|---|---|---|---|---|---|---|\n"
+          "| `cells` | `size` | number | m | | [1e-9, 1e9] | edge of a cell, see [cells](cells.md) |\n"
+          "| all | `share` | number | | 2/3 | (0, 1) | of the `light` |\n");
 }
 
 TEST_CASE("a definition is a JSON schema of the map") {
@@ -120,6 +126,28 @@ TEST_CASE("a definition of the schema is replaced, even if its texts contain bra
     CHECK(describe::withDefinition(schema, "a", "{1}") ==
           "{\n  \"$defs\": {\n    \"a\": {1},\n    \"c\": {}\n  }\n}\n");
     CHECK(errorOf([&] { return describe::withDefinition(schema, "d", "{}"); }).has_value());
+}
+
+TEST_CASE("a new definition gets a place before another one") {
+    const std::string schema = "{\n  \"$defs\": {\n    \"a\": {},\n    \"c\": {}\n  }\n}\n";
+    CHECK(describe::withPlaceFor(schema, "b", "c") ==
+          "{\n  \"$defs\": {\n    \"a\": {},\n    \"b\": {},\n    \"c\": {}\n  }\n}\n");
+    CHECK(describe::withPlaceFor(schema, "a", "c") == schema);
+    CHECK(errorOf([&] { return describe::withPlaceFor(schema, "b", "d"); }).has_value());
+}
+
+TEST_CASE("types with the same keys share a definition") {
+    const std::array<std::string_view, 2> types{"cells", "tiles"};
+    const auto schema = nlohmann::json::parse(describe::definition({.type = "cells", .keys = {&kKeys[3], 1}}, types));
+    CHECK(schema.at("properties").at("type") == nlohmann::json{{"enum", {"cells", "tiles"}}});
+    CHECK(schema.at("properties").size() == 2);
+}
+
+TEST_CASE("a key alone is a definition, and a text may have a schema of its own") {
+    CHECK(nlohmann::json::parse(describe::definition(kKeys[3])) ==
+          nlohmann::json{{"type", "boolean"}, {"default", false}});
+    const KeyDoc file{.name = "file", .type = KeyType::Text, .schema = R"({"type": "string", "minLength": 1})"};
+    CHECK(nlohmann::json::parse(describe::definition(file)) == nlohmann::json{{"type", "string"}, {"minLength", 1}});
 }
 
 TEST_CASE("numbers are written as short as JSON allows") {
