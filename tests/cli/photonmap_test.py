@@ -215,7 +215,7 @@ class Views(CliTest):
 
     def test_layers_need_a_file_that_can_hold_them(self):
         self.assert_refused(USAGE, ["--layers", ".exr"], ["render", "ball.yaml", "--layers", "-o", "a.png"])
-        self.assert_refused(USAGE, ["--layers", "sum", "two passes"],
+        self.assert_refused(USAGE, ["--layers", "no layers", "two passes"],
                             ["render", "ball.yaml", "--layers", "--integrator", "whitted", "--passes", "1", "-o", "a.exr"])
 
 
@@ -261,6 +261,6 @@ class Warnings(CliTest):
                     total = met.at(x, y)[channel] + sampled.at(x, y)[channel]
                     self.assertAlmostEqual(picture.at(x, y)[channel], total, delta=1e-6 * (1 + total))
         self.assertGreater(max(sampled.values()), 0)
-        self.assert_refused(USAGE, ["--layers", "sum", "reference: photonmap;"],
+        self.assert_refused(USAGE, ["--layers", "no layers", "reference: photonmap;"],
                             [*single, "--integrator", "path", "--backend", "reference"])
-        self.assert_refused(USAGE, ["--layers", "sum"], [*single, "--set", "render.view=caustic_map"])
+        self.assert_refused(USAGE, ["--layers", "no layers"], [*single, "--set", "render.view=caustic_map"])
