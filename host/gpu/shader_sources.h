@@ -20,8 +20,9 @@ public:
     [[nodiscard]] std::optional<std::filesystem::path> resolve(const std::string& name,
                                                                const std::filesystem::path& includer) const;
 
-    // Path and text of every file that `file` reaches through #include lines, including itself. Lines that the
-    // preprocessor would skip count too: one file too many in a cache key is better than one too few.
+    // Path and text of every file that `file` reaches through #include lines, including itself. Lines in an #ifdef of a
+    // name HYALITE_… that no file reached defines do not count. Others that the preprocessor would skip do: one file
+    // too many in a cache key is better than one too few.
     [[nodiscard]] SourceTexts reach(const std::filesystem::path& file) const;
 
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }

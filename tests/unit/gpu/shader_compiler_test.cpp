@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "gpu/kernel.h"
 #include "gpu/shader_compiler.h"
+#include "gpu/shader_sources.h"
 #include "unit/gpu/temporary_shaders.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -84,6 +85,25 @@ TEST_CASE("an include is first searched beside the including file", "[shader]") 
     folder.write("kernels/nested.comp", "#version 460\n#include \"lib/thread.glsl\"\n#include \"lib/inner/user.glsl\"\n"
                                         "void main() { uint x = kValue; }\n");
     CHECK_NOTHROW(ShaderCompiler(folder.shaders()).compile("nested"));
+}
+
+TEST_CASE("a kernel reaches a file that needs a name only if one of its files defines that name", "[shader]") {
+    const TemporaryShaders folder;
+    folder.write("lib/list.h",
+                 "#ifdef HYALITE_MODELS\n#include \"lib/model.glsl\"\n#endif\n#include \"lib/thread.glsl\"\n");
+    folder.write("lib/model.glsl", "const uint kModel = 1u;\n");
+    folder.write("lib/all.glsl", "#define HYALITE_MODELS\n#include \"lib/list.h\"\n#undef HYALITE_MODELS\n");
+    folder.write("kernels/one.comp", "#version 460\n#include \"lib/list.h\"\nvoid main() {}\n");
+    // The name is defined after the list has been read, too
+    folder.write("kernels/many.comp",
+                 "#version 460\n#include \"lib/list.h\"\n#include \"lib/all.glsl\"\nvoid main() {}\n");
+    const gpu::ShaderSources sources(folder.shaders());
+    const auto reaches = [&](const char* kernel) {
+        const auto texts = sources.reach(folder.shaders() / "kernels" / kernel);
+        return texts.contains((folder.shaders() / "lib/model.glsl").lexically_normal().string());
+    };
+    CHECK_FALSE(reaches("one.comp"));
+    CHECK(reaches("many.comp"));
 }
 
 TEST_CASE("a file outside the shaders folder is never included", "[shader]") {
