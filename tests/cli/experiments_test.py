@@ -144,7 +144,7 @@ class Dumps(CliTest):
             ("trace_closest:hits.x", ["'Hit' has no member 'x'", "object"]),
             ("trace_closest:count", ["no array"]),
             ("trace_nearest:hits", ["trace_nearest", "trace_closest"]),
-            ("trace_closest:hits@x", ["'x' is no number"]),
+            ("trace_closest:hits@x", ["'x' is not a dispatch number"]),
             ("resolve_film:image@99", ["4 times"]),
             ("../trace_closest:hits", ["'/'"]),
         ):

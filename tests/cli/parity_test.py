@@ -94,7 +94,7 @@ class Inspect(CliTest):
 
     def test_what_is_not_there_is_refused(self):
         scene = scene_file("cornell-caustics.yaml")
-        self.assert_refused(USAGE, ["one pixel or one photon"], ["inspect", scene])
+        self.assert_refused(USAGE, ["either a pixel or a photon"], ["inspect", scene])
         self.assert_refused(USAGE, ["32 x 32"], ["inspect", scene, *SMALL, "--pixel", "32,0"])
         self.assert_refused(USAGE, ["no photon 1024"], ["inspect", scene, *SMALL, "--photon", "1024"])
         self.assert_refused(USAGE, ["no caustic photons"], ["inspect", scene_file("cornell-box.yaml"), *SMALL, "--photon", "1", "--caustic"])
