@@ -12,6 +12,7 @@
 #include "live/server/page.h"
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <fstream>
 #include <httplib.h>
@@ -253,12 +254,17 @@ void serve(ServerOptions options) {
     handlers.addTo(server);
     say("hyalite live: http://" + hostAndPort(options.address, port) + '/' +
         (access.needsToken() ? "?token=" + access.token() : ""));
+    std::atomic<bool> hasEnded = false;
     std::thread end([&] {
         signals.wait();
         supervisor.close();
+        while (!server.is_running() && !hasEnded) { // until then, stop() does nothing
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
         server.stop();
     });
     const bool served = server.listen_after_bind();
+    hasEnded = true;
     if (!served) { // it ended without a signal
         ::kill(::getpid(), SIGTERM);
     }
