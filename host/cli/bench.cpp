@@ -6,6 +6,7 @@
 #include "cli/command.h"
 #include "cli/open_device.h"
 #include "cli/shader_folder.h"
+#include "cli/strict.h"
 #include "scene/load/load_scene.h"
 
 #include <CLI/CLI.hpp>
@@ -31,6 +32,7 @@ struct BenchCommand {
     DeviceChoice device;
     std::string against;
     bool json = false;
+    bool strict = false;
 };
 
 struct BenchReport {
@@ -40,9 +42,11 @@ struct BenchReport {
     double seconds = 0;
 };
 
-Scene sceneNamed(const std::string& name) {
+Scene sceneNamed(const std::string& name, bool strict) {
     const auto& builtIn = bench::builtInScenes();
-    return std::ranges::find(builtIn, name) != builtIn.end() ? bench::makeBuiltInScene(name) : loadScene(name);
+    Scene scene = std::ranges::find(builtIn, name) != builtIn.end() ? bench::makeBuiltInScene(name) : loadScene(name);
+    printWarnings(scene.warnings, strict);
+    return scene;
 }
 
 BenchReport measure(BenchCommand command) {
@@ -61,7 +65,8 @@ BenchReport measure(BenchCommand command) {
     }
     if (command.options.stages != std::set<std::string>{kKernels}) {
         for (const std::string& name : command.scenes.empty() ? bench::builtInScenes() : command.scenes) {
-            report.scenes.push_back(bench::measureScene(context, compiler, sceneNamed(name), command.options));
+            report.scenes.push_back(
+                bench::measureScene(context, compiler, sceneNamed(name, command.strict), command.options));
         }
     }
     device.checkValidation();
@@ -215,6 +220,7 @@ void addBench(CLI::App& app) {
     sub->add_option("--against", command->against,
                     "folder of other shaders: trace the rays with both in turn and print the ratio of their speeds");
     sub->add_flag("--json", command->json, "print one JSON object instead of a table");
+    addStrictOption(*sub, command->strict);
     sub->callback([command] { runBench(*command); });
 }
 

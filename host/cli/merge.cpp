@@ -6,8 +6,10 @@
 #include "cli/command.h"
 #include "cli/open_device.h"
 #include "cli/render_report.h"
+#include "cli/strict.h"
 #include "image/image_io.h"
 #include "render/film/checkpoint.h"
+#include "render/picture_check.h"
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -24,6 +26,7 @@ struct MergeCommand {
     bool layers = false;
     bool json = false;
     bool quiet = false;
+    bool strict = false;
 };
 
 void checkOutputs(const MergeCommand& command) {
@@ -77,7 +80,11 @@ void merge(const MergeCommand& command) {
     device.checkValidation();
     writePictures(command.outputs, result.image, command.layers, pictureMetadata(report));
     report.totalSeconds = watch.seconds();
+    if (const auto black = render::blackPicture(result.image.picture, report.scene)) {
+        report.notes.warnings.push_back(black->text());
+    }
     printReport(report, {.json = command.json, .quiet = command.quiet});
+    printWarnings(report.notes.warnings, command.strict);
 }
 
 } // namespace
@@ -95,7 +102,8 @@ void addMerge(CLI::App& app) {
     sub->add_flag("--layers", command->layers,
                   "also write the layers that add up to the picture, and its standard error, into .exr files");
     sub->add_flag("--json", command->json, "print one JSON object instead of text");
-    sub->add_flag("--quiet", command->quiet, "print nothing but errors");
+    sub->add_flag("--quiet", command->quiet, "print nothing but warnings and errors");
+    addStrictOption(*sub, command->strict);
     sub->callback([command] { merge(*command); });
 }
 

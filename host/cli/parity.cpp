@@ -8,6 +8,7 @@
 #include "cli/parity_report.h"
 #include "cli/scene_settings.h"
 #include "cli/shader_folder.h"
+#include "cli/strict.h"
 #include "parity/report.h"
 #include "scene/load/load_scene.h"
 
@@ -27,6 +28,7 @@ struct Sought {
     DeviceChoice device;
     bool fullSize = false;
     bool testSize = false;
+    bool strict = false;
     SettingOptions settings{"--target-error"}; // every pass is compared
     std::vector<std::string> twins;            // files
 };
@@ -49,6 +51,7 @@ void addSought(CLI::App& sub, Sought& sought) {
     sought.settings.addTo(sub);
     addTwinOption(sub, sought.twins);
     addDeviceOptions(sub, sought.device);
+    addStrictOption(sub, sought.strict);
 }
 
 Scene loadSought(const Sought& sought, bool atTestSize) {
@@ -58,6 +61,7 @@ Scene loadSought(const Sought& sought, bool atTestSize) {
         parity::shrinkToTestSize(scene);
     }
     applySettings(scene, sought.settings.given());
+    printWarnings(scene.warnings, sought.strict);
     return scene;
 }
 
@@ -101,7 +105,8 @@ void runParity(const ParityCommand& command, ExitCode& exit) {
                                                        {.stages = {command.stages.begin(), command.stages.end()}});
     refuseAbsentStages(command.stages, result);
     device.checkValidation();
-    const parity::Circumstances circumstances{command.scene, commandLine(command), describeMachine(device.context())};
+    const parity::Circumstances circumstances{command.scene, commandLine(command), describeMachine(device.context()),
+                                              textsOf(scene.warnings)};
     if (!command.report.empty()) {
         const std::string html = parity::toHtml(result, scene, circumstances);
         writeFileAtomically(page, std::as_bytes(std::span(html)));

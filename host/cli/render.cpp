@@ -10,9 +10,11 @@
 #include "cli/render_report.h"
 #include "cli/scene_settings.h"
 #include "cli/shader_folder.h"
+#include "cli/strict.h"
 #include "image/image_io.h"
 #include "render/debug/buffer_dump.h"
 #include "render/integrators/registry.h"
+#include "render/picture_check.h"
 #include "render/renderer.h"
 #include "render/wavefront/device.h"
 #include "scene/load/load_scene.h"
@@ -47,6 +49,7 @@ struct RenderCommand {
     bool profile = false;
     bool json = false;
     bool quiet = false;
+    bool strict = false;
     std::uint32_t firstPass = 0; // of --passes FIRST:END
     SettingOptions settings;
 
@@ -263,6 +266,8 @@ void renderScene(RenderCommand command, ExitCode& exit) {
     refuseUnused(command, scene);
 
     RenderReport report;
+    report.sceneWarnings = textsOf(scene.warnings);
+    printWarnings(report.sceneWarnings, command.strict);
     report.scene = command.scene;
     report.integrator = scene.render.integrator;
     report.backend = command.backend;
@@ -279,9 +284,13 @@ void renderScene(RenderCommand command, ExitCode& exit) {
     }
     writePictures(command.outputs, image, command.layers, pictureMetadata(report));
     report.totalSeconds = watch.seconds();
+    if (const auto black = render::blackPicture(image.picture, scene)) {
+        report.notes.warnings.push_back(black->text());
+    }
     warnOfTarget(report);
 
     printReport(report, {.json = command.json, .profile = command.profile, .quiet = command.quiet});
+    printWarnings(report.notes.warnings, command.strict && !report.interrupted && !report.checkpointFailure);
     if (report.checkpointFailure) {
         throw Error(*report.checkpointFailure);
     }
@@ -326,7 +335,8 @@ void addRender(CLI::App& app, ExitCode& exit) {
         ->type_name("STAGE:FIELD[@N]");
     sub->add_flag("--profile", command->profile, "print tables of stage times and buffer sizes");
     sub->add_flag("--json", command->json, "print one JSON object instead of text");
-    sub->add_flag("--quiet", command->quiet, "print nothing but errors");
+    sub->add_flag("--quiet", command->quiet, "print nothing but warnings and errors");
+    addStrictOption(*sub, command->strict);
     sub->callback([command, &exit] { renderScene(*command, exit); });
 }
 

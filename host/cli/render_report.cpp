@@ -98,7 +98,10 @@ std::string jsonReport(const RenderReport& report) {
     if (report.notes.causticSearchRadius > 0) {
         object["caustic_search_radius"] = report.notes.causticSearchRadius;
     }
-    object["warnings"] = report.notes.warnings;
+    object["warnings"] = report.sceneWarnings;
+    for (const std::string& warning : report.notes.warnings) {
+        object["warnings"].push_back(warning);
+    }
     for (const auto& [name, time] : report.stages) {
         object["stages"][name] = {
             {"seconds", time.seconds}, {"dispatches", time.dispatches}, {"threads", time.threads}};
@@ -132,9 +135,6 @@ void writePictures(const std::vector<std::string>& outputs, const LayeredImage& 
 }
 
 void printReport(const RenderReport& report, const ReportStyle& style) {
-    for (const std::string& warning : report.notes.warnings) {
-        std::cerr << "hyalite: warning: " << warning << '\n';
-    }
     if (style.json) {
         std::cout << jsonReport(report) << '\n';
         return;

@@ -29,7 +29,8 @@ struct RenderReport {
     double totalSeconds = 0;             // from the start until the files are written
     double setupSeconds = 0;
     double renderSeconds = 0;
-    std::optional<render::Counts> counts; // the reference does not count
+    std::optional<render::Counts> counts;   // the reference does not count
+    std::vector<std::string> sceneWarnings; // printed before the render
     render::RenderNotes notes;
     std::map<std::string, std::size_t> memory; // bytes of the device's buffers, by name
     std::map<std::string, gpu::StageTime> stages;
@@ -51,7 +52,7 @@ void warnOfTarget(RenderReport& report);
 void writePictures(const std::vector<std::string>& outputs, const LayeredImage& image, bool layers,
                    const Metadata& metadata);
 
-// Prints warnings on stderr, the rest on stdout.
+// Prints on stdout all but the warnings.
 struct ReportStyle {
     bool json = false;
     bool profile = false;

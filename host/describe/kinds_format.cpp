@@ -5,6 +5,7 @@
 #include "kinds/lights/light_kinds.h"
 #include "kinds/materials/material_kinds.h"
 #include "kinds/shapes/shape_kinds.h"
+#include "scene/model/warning.h"
 
 #include <algorithm>
 #include <array>
@@ -116,6 +117,12 @@ std::string schemaWithKinds(std::string schema) {
         schema = withDefinition(withPlaceFor(schema, name, "light"), name, definition(key));
     }
 
+    std::string warnings;
+    for (const WarningRow& row : kWarningRows) {
+        warnings += (warnings.empty() ? "\"" : ", \"") + std::string(row.name) + '"';
+    }
+    schema = withDefinition(schema, "warning", "{\"enum\": [" + warnings + "]}");
+
     schema = withDefinitions(schema, "shape", ShapeDefinitions().all);
     std::vector<std::string> shapes = shapeNames(false);
     shapes.insert(shapes.begin(), "solid");
@@ -130,7 +137,11 @@ std::string docsWithKinds(std::string markdown) {
     for (const Definition& shape : definitionsOf(kinds::kShapeKinds)) {
         markdown = withGenerated(markdown, std::string(shape.map.schemaName), keyTable(shape.map.keys));
     }
-    return markdown;
+    std::string warnings = "| warning | given when |\n|---|---|\n";
+    for (const WarningRow& row : kWarningRows) {
+        warnings += "| `" + std::string(row.name) + "` | " + std::string(row.text) + " |\n";
+    }
+    return withGenerated(markdown, "warnings", warnings);
 }
 
 } // namespace hyalite::describe

@@ -14,6 +14,7 @@ struct Circumstances {
     std::string scene; // file
     std::string command;
     std::vector<std::pair<std::string, std::string>> machine; // name and value
+    std::vector<std::string> warnings = {};                   // about the scene
 };
 
 // One line: passed or failed and, if failed, where the two sides first differ.

@@ -103,9 +103,9 @@ std::string verdict(const Result& result) {
 }
 
 std::string toJson(const Result& result, const Circumstances& circumstances) {
-    Json object{{"scene", circumstances.scene}, {"command", circumstances.command}, {"machine", Json::object()},
-                {"passed", result.passed()},    {"verdict", verdict(result)},       {"first_failure", nullptr},
-                {"stages", Json::array()}};
+    Json object{{"scene", circumstances.scene}, {"command", circumstances.command},  {"machine", Json::object()},
+                {"passed", result.passed()},    {"verdict", verdict(result)},        {"first_failure", nullptr},
+                {"stages", Json::array()},      {"warnings", circumstances.warnings}};
     for (const auto& [name, value] : circumstances.machine) {
         object["machine"][name] = value;
     }

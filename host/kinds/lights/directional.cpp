@@ -42,6 +42,7 @@ void read(Reader& reader, const std::filesystem::path& /*folder*/, Scene& scene)
         center->read(light.beam->center, kCenter.range);
     }
     readKey(reader, kPhotonShare, light.photonShare);
+    light.where = reader.where();
     scene.directionals.push_back(light);
 }
 

@@ -97,6 +97,7 @@ void read(Reader& reader, const std::filesystem::path& folder, Scene& scene) {
     if (largest * environment.scale > kLargestEmission) {
         (image ? *image : reader.map()).fail("the environment is too bright", "its radiance is " + kRadiance.text());
     }
+    environment.where = reader.where();
     scene.environment = std::move(environment);
 }
 

@@ -20,6 +20,7 @@ void read(Reader& reader, const std::filesystem::path& /*folder*/, Scene& scene)
     readKey(reader, kPosition, light.position);
     readStrength(reader, kStrength, light.intensity);
     readKey(reader, kPhotonShare, light.photonShare);
+    light.where = reader.where();
     scene.lights.push_back(light);
 }
 

@@ -178,12 +178,14 @@ void read(Reader& reader, const std::filesystem::path& /*folder*/, Scene& scene)
     if (isSeen && sky.sunRadius > 0) {
         addSun(environment.image, grid, sky, irradiance);
     } else if (isSeen) {
-        scene.directionals.push_back({.direction = -sky.sun, .irradiance = irradiance, .photonShare = photonShare});
+        scene.directionals.push_back(
+            {.direction = -sky.sun, .irradiance = irradiance, .photonShare = photonShare, .where = reader.where()});
     }
     const auto isTooBright = [](const glm::vec3& c) { return !(std::max({c.x, c.y, c.z}) <= kLargestEmission); };
     if (std::any_of(environment.image.pixels.begin(), environment.image.pixels.end(), isTooBright)) {
         reader.map().fail("the sky is too bright", "its radiance must be " + kRadiance.text());
     }
+    environment.where = reader.where();
     scene.environment = std::move(environment);
 }
 

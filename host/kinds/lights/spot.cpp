@@ -40,6 +40,7 @@ void read(Reader& reader, const std::filesystem::path& /*folder*/, Scene& scene)
     readKey(reader, kAngle, light.angle);
     readKey(reader, kBlend, light.blend);
     readKey(reader, kPhotonShare, light.photonShare);
+    light.where = reader.where();
     scene.spots.push_back(light);
 }
 

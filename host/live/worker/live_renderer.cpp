@@ -4,6 +4,7 @@
 #include "parity/inspection_session.h"
 #include "reference/bsdf/custom_twins.h"
 #include "render/integrators/registry.h"
+#include "render/picture_check.h"
 #include "render/upload/custom_code.h"
 #include "scene/load/load_scene.h"
 #include "scene/model/integrators.h"
@@ -229,6 +230,14 @@ LiveRenderer::Frame LiveRenderer::frame() {
     frame.stages = timesOfPass_;
     frame.counts = run_->integrator->counts();
     frame.notes = run_->integrator->notes();
+    for (const Warning& warning : scene_.warnings) {
+        frame.notes.warnings.push_back(warning.text());
+    }
+    if (isDone() && !run_->isPreview && !debugQuantity(view_.shown)) {
+        if (const auto black = render::blackPicture(frame.image.picture, scene_)) {
+            frame.notes.warnings.push_back(black->text());
+        }
+    }
     return frame;
 }
 

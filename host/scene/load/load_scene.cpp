@@ -45,6 +45,17 @@ void readMaterials(const Value& value, Scene& scene) {
     }
 }
 
+// The kinds of warnings that the file's author knows of.
+void readAccepted(const Value& value, Scene& scene) {
+    std::vector<Choice<WarningKind>> choices;
+    for (const WarningRow& row : kWarningRows) {
+        choices.push_back({row.name, row.kind});
+    }
+    for (const Value& name : value.list()) {
+        scene.accepted.insert(choose<WarningKind>(name, "warning", choices));
+    }
+}
+
 // The transforms of an object's copies: each item of `repeat` multiplies the places so far by powers 0 .. count - 1 of
 // its map.
 std::vector<glm::dmat4> readRepeat(const Value& value) {
@@ -137,8 +148,12 @@ void readScene(const Value& root, const std::filesystem::path& folder, Scene& sc
     const auto materials = reader.find("materials");
     const auto lights = reader.find("lights");
     const Value objects = reader.require("objects");
+    const auto accept = reader.find("accept");
     reader.finish();
 
+    if (accept) {
+        readAccepted(*accept, scene);
+    }
     if (camera) {
         readCamera(*camera, scene.camera);
     }

@@ -16,6 +16,7 @@ Material readMaterial(const Value& value, const Scene& scene) {
     const auto* kind = choose<const kinds::MaterialKind*>(reader.require("type"), "material type", choices);
     Material material;
     material.name = value.name();
+    material.where = value.where();
     material.model = kind->read(reader, scene, material);
     reader.finish();
     return material;

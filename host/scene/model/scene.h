@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "image/image.h"
 #include "scene/model/material_model.h"
+#include "scene/model/warning.h"
 
 #include <array>
 #include <cstdint>
@@ -12,6 +13,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -98,6 +100,7 @@ struct Material {
     MaterialModel model;
     std::optional<std::size_t> colorTexture = {};     // in Scene::textures; multiplies the model's colour
     std::optional<std::size_t> roughnessTexture = {}; // in Scene::textures; green times roughness, blue times metallic
+    SourceLocation where = {};
 };
 
 // Lights. Photons and light samples are distributed over lights and emitting objects in proportion to power times
@@ -106,6 +109,7 @@ struct PointLight {
     glm::dvec3 position{0};  // [m]
     glm::dvec3 intensity{1}; // [W/sr]
     double photonShare = 1;
+    SourceLocation where = {};
 };
 // Full intensity up to (1 - blend) angle from the axis, none beyond `angle`; between the two, 3 t^2 - 2 t^3 with t
 // linear in the cosine.
@@ -116,6 +120,7 @@ struct SpotLight {
     double angle = 30;              // from the axis [degrees], in (0, 180]
     double blend = 0.1;             // [0, 1]
     double photonShare = 1;
+    SourceLocation where = {};
 };
 // Parallel light: from beyond the scene onto all of it or, with a beam, a cylinder of light that starts at a disc.
 struct DirectionalLight {
@@ -127,6 +132,7 @@ struct DirectionalLight {
     glm::dvec3 irradiance{1};                // of a surface that faces the light [W/m^2]
     std::optional<Beam> beam = std::nullopt; // nullopt: light everywhere
     double photonShare = 1;
+    SourceLocation where = {};
 };
 // Light from beyond the scene. The image's centre is in direction -z, its upper edge in direction +y; radiance is
 // constant over each pixel.
@@ -135,6 +141,7 @@ struct Environment {
     double scale = 1;    // of the image's values
     double rotation = 0; // about +y, counter-clockwise [degrees]
     double photonShare = 1;
+    SourceLocation where = {};
 };
 
 // Axis-aligned box [m]; empty until a point is added. Its sides may be infinite.
@@ -220,6 +227,7 @@ struct Mesh {
     std::vector<glm::vec3> normals;    // per position, unit; empty: flat shading
     std::vector<glm::uvec3> triangles; // indices into positions, counter-clockwise seen from the front
     std::vector<glm::vec2> uvs;        // per position, v upwards; empty: none
+    std::vector<std::uint32_t> lines;  // per triangle, of its face in the file; empty: a file without lines
 };
 
 struct Scene {
@@ -235,6 +243,8 @@ struct Scene {
     std::vector<Object> objects;
     std::vector<Object> csgLeaves; // closed shapes, none of them Csg or Quad or Disk; each with its own material
     std::vector<Mesh> meshes;
+    std::vector<Warning> warnings;  // about the file, without those that it accepts
+    std::set<WarningKind> accepted; // kinds of warnings that the file accepts
 };
 
 } // namespace hyalite
