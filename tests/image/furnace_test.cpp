@@ -97,22 +97,6 @@ TEST_CASE("a perfect mirror and clear glass are indistinguishable from the walls
     }
 }
 
-TEST_CASE("a perfect mirror, and glass that does not absorb, are invisible under a uniform sky") {
-    // Each path reaches the sky with its full weight, so there is no noise; whitted's trees end after 30 reflections,
-    // with 0.04^30 of the light missing
-    FalseAlarms alarms(2 * everyRenderer().size());
-    for (const MaterialModel& model : {MaterialModel(Mirror{}), MaterialModel(Dielectric{1.5})}) {
-        Scene scene = underSky(0.1);
-        scene.camera.fov = 50;
-        scene.render.maxDepth = 30;
-        reference::test::addObject(scene, Sphere{{0, 0, 0}, 1}, reference::test::addMaterial(scene, model));
-        for (const Renderer& renderer : everyRenderer()) {
-            INFO(renderer.name << ", material " << model.type);
-            CHECK(judge(alarms, renderer, scene, everywhere(1), Independent::Pixels, {.bias = 1e-4, .sees = 1e-3}));
-        }
-    }
-}
-
 namespace {
 
 // Schlick's reflectance of a metal whose colour is `f0`.

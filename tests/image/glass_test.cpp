@@ -20,40 +20,6 @@ double fresnel(double angle, double n) {
 
 } // namespace
 
-TEST_CASE("a pane of glass at any angle, clear or tinted, transmits (1 - F)^2 a / (1 - F^2 a^2)") {
-    // a = e^(-sigma d / cos) is the transmittance of one passage; each pair of internal reflections contributes F^2 and
-    // two more passages. Renderers ignore polarisation: F is the mean of both at each face. Clear glass: (1 - F) / (1 +
-    // F), at normal incidence 2n / (n^2 + 1). Everything behind the pane emits radiance 1, and nothing in front of it.
-    const double n = 1.5;
-    const double d = 0.2;
-    const std::vector<std::pair<double, double>> cases{{0, 0}, {60, 3}, {80, 0}};
-    CHECK(std::abs((1 - fresnel(0, n)) / (1 + fresnel(0, n)) - 2 * n / (n * n + 1)) < 1e-12);
-    FalseAlarms alarms(cases.size() * everyRenderer().size());
-    for (const auto& [degrees, sigma] : cases) {
-        const double angle = degrees * pi / 180;
-        Scene scene = reference::test::onePixel({3 * std::sin(angle), 0, 3 * std::cos(angle)}, {0, 0, 0}, "path");
-        scene.camera.resolution = {16, 16};
-        scene.render.maxDepth = 40;
-        scene.render.minWeight = 0;
-        scene.render.passes = 8;
-        const std::size_t glass = reference::test::addMaterial(scene, Dielectric{n, 0, dvec3(sigma)});
-        reference::test::addObject(scene, Quad{{-50, -50, 0}, {100, 0, 0}, {0, 100, 0}}, glass);  // faces +z
-        reference::test::addObject(scene, Quad{{-50, -50, -d}, {0, 100, 0}, {100, 0, 0}}, glass); // faces -z
-        reference::test::addObject(scene, Quad{{-60, -60, -3}, {120, 0, 0}, {0, 120, 0}}, std::nullopt, dvec3(1));
-        const double F = fresnel(angle, n);
-        const double a = std::exp(-sigma * d / std::cos(std::asin(std::sin(angle) / n)));
-        const double expected = (1 - F) * (1 - F) * a / (1 - F * F * a * a);
-        for (const Renderer& renderer : everyRenderer()) {
-            INFO(renderer.name << ", " << degrees << " degrees, " << sigma << "/m");
-            // At 80 degrees F has a slope of 3 per rad, and pixels span 1e-4 rad. whitted has no randomness and is as
-            // accurate as that; the others make a random decision at each face.
-            const bool exact = renderer.integrator == "whitted";
-            CHECK(judge(alarms, renderer, scene, everywhere(expected), Independent::Pixels,
-                        {.bias = 2e-4, .sees = exact ? 1e-3 : 0.12}));
-        }
-    }
-}
-
 TEST_CASE("a light reflected in a glass face has radiance F L, and at least kShareToLight of the paths see it") {
     // The camera is at 30 degrees to the normal, and a light of any shape is in the mirror direction; nothing is behind
     // the pane. A path that sees the light every second time must contribute 2 F L.

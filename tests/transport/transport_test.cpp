@@ -1,0 +1,32 @@
+// The third opinion: what integrators on both sides show, against paper.
+#include "transport/table.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+namespace hyalite::testing {
+
+TEST_CASE("a point of a surface has the radiance that formulas give it, by lights of every kind") {
+    const std::vector<Row> rows = directLightRows();
+    FalseAlarms alarms(comparisons(rows));
+    checkRows(alarms, rows);
+}
+
+TEST_CASE("faces reflect as Fresnel says") {
+    const std::vector<Row> rows = faceRows();
+    FalseAlarms alarms(comparisons(rows));
+    checkRows(alarms, rows);
+}
+
+TEST_CASE("slabs and stacks of slabs reflect and transmit as the adding method says") {
+    const std::vector<Row> rows = slabRows();
+    FalseAlarms alarms(comparisons(rows));
+    checkRows(alarms, rows);
+}
+
+TEST_CASE("solids of every kind that absorb nothing are invisible in a furnace") {
+    const std::vector<Row> rows = furnaceRows();
+    FalseAlarms alarms(comparisons(rows));
+    checkRows(alarms, rows);
+}
+
+} // namespace hyalite::testing
