@@ -34,18 +34,22 @@ gpu::Specialization widened(gpu::Specialization constants) {
 
 std::vector<Image> onDevice(Scene& scene, std::uint32_t first, std::uint32_t count) {
     render::Device& device = sharedDevice();
+    for (std::uint32_t binding = 0; binding < TABLE_COUNT; ++binding) { // the last scene's buffers are gone
+        device.tables.set(binding, {}, gpu::TexelFormat::Float4);
+    }
     render::DeviceScene deviceScene = render::uploadScene(device.context, device.tables, scene);
     deviceScene.specialization = widened(deviceScene.specialization);
     const render::IntegratorKind& kind = render::integratorKind(scene);
     render::Film film(device, scene.camera.resolution, kind.layers(scene.render));
     device.commands.finish();
     const render::FilmState black = film.state();
+    // The integrator and its stages read the seed from the scene; begin() replaces all that it built before
+    const auto integrator = kind.make({.device = device, .scene = scene, .deviceScene = deviceScene, .film = film});
+    integrator->prepare();
     std::vector<Image> pictures;
     for (std::uint32_t seed = first; seed < first + count; ++seed) {
         scene.render.seed = seed;
         film.restore(device, black);
-        const auto integrator = kind.make({.device = device, .scene = scene, .deviceScene = deviceScene, .film = film});
-        integrator->prepare();
         integrator->begin();
         for (std::uint32_t pass = 0; pass < scene.render.passes; ++pass) {
             film.beginPass(pass);

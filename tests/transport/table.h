@@ -28,14 +28,15 @@ struct Row {
     std::map<std::string, std::string> files = {}; // texts beside the scene's file
 };
 
-// Scenes whose means add up to `factor` times the mean of another scene.
+// Scenes whose pictures add up to `factor` times the picture of another scene.
 struct Symmetry {
     std::string name;
     std::string whole;
     std::vector<std::string> parts;
     double factor = 1;
     Names claims;
-    Sharpness sharpness;
+    Sharpness sharpness;                           // relative to the mean of that picture
+    Independent independent = Independent::Pixels; // Renders: only the pictures' means add up
     std::map<std::string, std::string> files = {};
 };
 
@@ -52,5 +53,8 @@ void checkSymmetries(FalseAlarms& alarms, const std::vector<Symmetry>& symmetrie
 [[nodiscard]] std::vector<Row> faceRows();
 [[nodiscard]] std::vector<Row> slabRows();
 [[nodiscard]] std::vector<Row> furnaceRows();
+[[nodiscard]] std::vector<Symmetry> placementSymmetries();
+[[nodiscard]] std::vector<Symmetry> lightSymmetries();
+[[nodiscard]] std::vector<Symmetry> shapeSymmetries();
 
 } // namespace hyalite::testing

@@ -29,4 +29,22 @@ TEST_CASE("solids of every kind that absorb nothing are invisible in a furnace")
     checkRows(alarms, rows);
 }
 
+TEST_CASE("a scene looks the same wherever it stands, turned, and in any unit of length") {
+    const std::vector<Symmetry> symmetries = placementSymmetries();
+    FalseAlarms alarms(comparisons(symmetries));
+    checkSymmetries(alarms, symmetries);
+}
+
+TEST_CASE("light adds up, and goes both ways") {
+    const std::vector<Symmetry> symmetries = lightSymmetries();
+    FalseAlarms alarms(comparisons(symmetries));
+    checkSymmetries(alarms, symmetries);
+}
+
+TEST_CASE("a surface looks the same however it is described") {
+    const std::vector<Symmetry> symmetries = shapeSymmetries();
+    FalseAlarms alarms(comparisons(symmetries));
+    checkSymmetries(alarms, symmetries);
+}
+
 } // namespace hyalite::testing
