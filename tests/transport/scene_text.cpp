@@ -1,9 +1,12 @@
 #include "transport/scene_text.h"
 
 #include "scene/load/load_scene.h"
-#include "unit/scene/scene_test_support.h"
 
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <numbers>
+#include <stdexcept>
 
 namespace hyalite::testing {
 
@@ -21,10 +24,43 @@ std::string cameraOver(const dvec3& middle, const dvec3& normal, const dvec3& up
                 ", resolution: [8, 8]}\n");
 }
 
+namespace {
+
+// Removed with everything in it. (The folder of the scene tests reports to Catch2, and audits run without it.)
+class Folder {
+public:
+    Folder() {
+        std::string name = (std::filesystem::temp_directory_path() / "hyalite-transport-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) {
+            throw std::runtime_error("cannot create " + name);
+        }
+        path_ = name;
+    }
+    ~Folder() {
+        std::error_code ignored; // a destructor cannot report it, and the system cleans up the folder
+        std::filesystem::remove_all(path_, ignored);
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    [[nodiscard]] std::filesystem::path write(const std::string& name, const std::string& bytes) const {
+        const std::filesystem::path file = path_ / name;
+        if (!(std::ofstream(file, std::ios::binary) << bytes).flush()) {
+            throw std::runtime_error("cannot write " + file.string());
+        }
+        return file;
+    }
+
+private:
+    std::filesystem::path path_;
+};
+
+} // namespace
+
 Scene sceneFrom(const std::string& body, const std::map<std::string, std::string>& files) {
-    test::TemporaryFolder folder;
+    const Folder folder;
     for (const auto& [name, bytes] : files) {
-        folder.write(name, bytes);
+        static_cast<void>(folder.write(name, bytes));
     }
     return loadScene(folder.write("scene.yaml", "hyalite: 1\n" + body));
 }

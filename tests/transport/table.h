@@ -50,6 +50,7 @@ void checkSymmetries(FalseAlarms& alarms, const std::vector<Symmetry>& symmetrie
 
 // The tables.
 [[nodiscard]] std::vector<Row> directLightRows();
+[[nodiscard]] std::vector<Row> fluxRows();
 [[nodiscard]] std::vector<Row> faceRows();
 [[nodiscard]] std::vector<Row> slabRows();
 [[nodiscard]] std::vector<Row> furnaceRows();

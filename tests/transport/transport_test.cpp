@@ -11,6 +11,12 @@ TEST_CASE("a point of a surface has the radiance that formulas give it, by light
     checkRows(alarms, rows);
 }
 
+TEST_CASE("all the flux of a light arrives, straight and by way of mirrors and glass") {
+    const std::vector<Row> rows = fluxRows();
+    FalseAlarms alarms(comparisons(rows));
+    checkRows(alarms, rows);
+}
+
 TEST_CASE("faces reflect as Fresnel says") {
     const std::vector<Row> rows = faceRows();
     FalseAlarms alarms(comparisons(rows));
