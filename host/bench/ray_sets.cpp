@@ -41,8 +41,8 @@ std::vector<RaySet> makeRaySets(render::Device& device, const Scene& scene, cons
     Scene settings; // CameraPaths reads nothing else of it
     settings.render = scene.render;
     settings.render.maxDepth = kSegments;
-    render::CameraPaths paths(device, settings, deviceScene, pixels, render::AtDiffuse::Bounces);
-    render::LightSampler lights(device, deviceScene, pixels);
+    render::CameraPaths paths(device, settings, deviceScene, pixels, {}, render::AtDiffuse::Bounces);
+    render::LightSampler lights(device, deviceScene, pixels, {});
     const gpu::Kernel bouncePaths = device.kernel("bounce_paths", deviceScene.specialization);
     const gpu::Array<shared::VisiblePoint> visiblePoints(device.context, pixels, "visible points");
     const gpu::Array<glm::vec3> met(device.context, pixels, "light met");

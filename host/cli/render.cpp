@@ -138,9 +138,9 @@ LayeredImage renderByReference(const RenderCommand& command, const Scene& scene,
     const Stopwatch watch;
     report.device = "CPU, double precision";
     reference::RenderOptions options;
-    options.afterPass = [&](std::uint32_t passes, std::optional<double> error) {
-        const render::Progress progress{passes, scene.render.passes, watch.seconds(), error};
-        bar.update({passes, scene.render.passes, progress.seconds, command.time, error});
+    options.afterPass = [&](std::uint32_t passes, const ErrorEstimate& error) {
+        const render::Progress progress{passes, scene.render.passes, watch.seconds(), error.error};
+        bar.update({passes, scene.render.passes, progress.seconds, command.time, error.error});
         report.passes = passes;
         report.errorEstimate = error;
         report.renderSeconds = progress.seconds;

@@ -27,32 +27,39 @@ std::string threeDigits(double value) {
     return text.str();
 }
 
+// ", 12 pixels: no light found yet"; empty if there are none.
+std::string darkText(const RenderReport& report) {
+    const std::uint32_t dark = report.errorEstimate.darkPixels;
+    return dark == 0 ? "" : ", " + std::to_string(dark) + (dark == 1 ? " pixel" : " pixels") + ": no light found yet";
+}
+
 } // namespace
 
 bool targetErrorMet(const RenderReport& report) {
-    return report.errorEstimate && *report.errorEstimate <= report.targetError;
+    return report.errorEstimate.error && *report.errorEstimate.error <= report.targetError;
 }
 
 void warnOfTarget(RenderReport& report) {
     if (report.targetError > 0 && !targetErrorMet(report)) {
-        const std::string found = report.errorEstimate ? "the estimated error is " + threeDigits(*report.errorEstimate)
-                                                       : "there is no estimate";
+        const std::optional<double>& error = report.errorEstimate.error;
+        const std::string found = error ? "the estimated error is " + threeDigits(*error) : "there is no estimate";
         report.notes.warnings.push_back("the target error of " + threeDigits(report.targetError) +
                                         " was not reached: " + found + " after " + std::to_string(report.passes) +
-                                        (report.passes == 1 ? " pass" : " passes") +
+                                        (report.passes == 1 ? " pass" : " passes") + darkText(report) +
                                         " (allow more --passes or --time)");
     }
 }
 
 std::string errorText(const RenderReport& report) {
-    if (!report.errorEstimate) {
-        return {};
+    if (!report.errorEstimate.error) {
+        return darkText(report);
     }
-    const std::string text = ", estimated error " + threeDigits(*report.errorEstimate);
+    const std::string text = ", estimated error " + threeDigits(*report.errorEstimate.error);
     if (report.targetError <= 0) {
-        return text;
+        return text + darkText(report);
     }
-    return text + " (target " + threeDigits(report.targetError) + (targetErrorMet(report) ? " met)" : " not met)");
+    return text + " (target " + threeDigits(report.targetError) + (targetErrorMet(report) ? " met)" : " not met)") +
+           darkText(report);
 }
 
 std::string jsonReport(const RenderReport& report) {
@@ -70,7 +77,9 @@ std::string jsonReport(const RenderReport& report) {
         object["resumed_from"] = report.resumedFrom;
     }
     object["interrupted"] = report.interrupted;
-    object["error_estimate"] = report.errorEstimate ? nlohmann::ordered_json(*report.errorEstimate) : nullptr;
+    const ErrorEstimate& estimate = report.errorEstimate;
+    object["error_estimate"] = estimate.error ? nlohmann::ordered_json(*estimate.error) : nullptr;
+    object["pixels_without_light"] = estimate.darkPixels;
     if (report.targetError > 0) {
         object["target_error"] = report.targetError;
         object["target_error_met"] = targetErrorMet(report);

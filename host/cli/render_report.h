@@ -24,9 +24,9 @@ struct RenderReport {
     std::uint32_t resumedFrom = 0; // number of these passes that the checkpoint held
     bool interrupted = false;
     std::optional<Error> checkpointFailure;
-    std::optional<double> errorEstimate; // see docs/metrics.md
-    double targetError = 0;              // requested; 0: none
-    double totalSeconds = 0;             // from the start until the files are written
+    ErrorEstimate errorEstimate;
+    double targetError = 0;  // requested; 0: none
+    double totalSeconds = 0; // from the start until the files are written
     double setupSeconds = 0;
     double renderSeconds = 0;
     std::optional<render::Counts> counts;   // the reference does not count

@@ -2,6 +2,7 @@
 // integers with the kernels; with the same seed both should render the same picture.
 #pragma once
 
+#include "image/error_estimate.h"
 #include "image/layered_image.h"
 #include "scene/model/scene.h"
 
@@ -16,7 +17,7 @@ struct World;
 struct RenderOptions {
     // Called after each pass with the number of passes done and the estimated error, see docs/metrics.md; false ends
     // the rendering. Empty: renders all passes.
-    std::function<bool(std::uint32_t passesDone, std::optional<double> error)> afterPass;
+    std::function<bool(std::uint32_t passesDone, const ErrorEstimate& error)> afterPass;
 };
 
 // Renders a world with its settings: one function per integrator, see render/integrators/registry.h. Returns the mean

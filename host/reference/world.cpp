@@ -163,6 +163,7 @@ World prepareWorld(const Scene& scene) {
                 .csgLeaves = scene.csgLeaves,
                 .geometry = {},
                 .lights = makeLights(scene),
+                .lightTree = buildLightTree(lightExtents(scene)),
                 .bounded = {},
                 .unbounded = {},
                 .bvh = {}};

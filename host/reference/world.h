@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geometry/bounding_sphere.h"
+#include "geometry/light_tree.h"
 #include "reference/camera/camera.h"
 #include "reference/lights/lights.h"
 #include "reference/shapes/bvh.h"
@@ -35,6 +36,7 @@ struct World {
     std::vector<Object> csgLeaves;
     std::vector<Geometry> geometry; // per object
     std::vector<Light> lights;
+    LightTree lightTree;
     std::vector<std::uint32_t> bounded;   // the objects in the tree
     std::vector<std::uint32_t> unbounded; // infinite objects, tested one by one
     Bvh bvh;

@@ -30,7 +30,7 @@ void renderPasses(Device& device, const Scene& scene, const RenderOptions& optio
     progress.resumedFrom = result.resumedFrom;
     const auto lookAtError = [&] {
         if (looksAtError(progress.passes)) {
-            progress.errorEstimate = film.estimateError(device);
+            progress.errorEstimate = film.estimateError(device).error;
         }
     };
     lookAtError();

@@ -44,7 +44,7 @@ struct RenderResult {
     std::optional<Error> checkpointFailure; // the last checkpoint could not be written
     double setupSeconds = 0;                // kernels, scene, hierarchies
     double renderSeconds = 0;               // passes
-    std::optional<double> errorEstimate;    // of the picture, see docs/metrics.md; none for a single pass
+    ErrorEstimate errorEstimate;            // of the picture
     Counts counts;
     RenderNotes notes;
     std::map<std::string, std::size_t> memory;    // bytes of the device's buffers after the last pass, by name

@@ -3,9 +3,9 @@
 // Samples a light, and a direction to it, for each visible point; writes the shadow ray and the contribution it decides
 // about.
 // reads: visible points, lights
-// writes: shadow rays, contributions
+// writes: shadow rays, contributions, marks of the pixels where light was sought
 // threads: visible points
-// computes: L = f E cosθ / pmf: area lights E = Le cosθ' A / d², points I / d², environment Le / pdfW; if
+// computes: L = f E cosθ / pmf, pmf by place [ContyEstevez18]: area lights E = Le cosθ' A / d², points I / d², environment Le / pdfW; if
 //     paths continue, times p² / (p² + q²), q = cosθ / π [Veach95]
 #include "shared/kernel_arguments.h"
 #include "lights/direct_light.glsl"
@@ -25,9 +25,13 @@ void main() {
         return;
     }
     Sampler s = lightSampler(x.samplerSeed, args.light, args.pass);
-    LightRecord light = args.lights.at[lightAsked(args.lights, args.lightCount, args.light, s, x.depth)];
-    DirectLight toLight = directLight(light, args.light == kNone ? light.pmf : 1.0, x, receiverAt(x, args.materials),
-                                       args.bounceDepth != 0u, s);
+    LightPick pick = lightAsked(args.lights, args.light, x.position, s, x.depth);
+    Receiver receiver = receiverAt(x, args.materials);
+    DirectLight toLight =
+        directLight(args.lights.at[pick.light], pick.pmf, x, receiver, args.bounceDepth != 0u, s);
+    if (isSome(uvec2(args.sought)) && maxComponent(receiver.f) > 0.0) {
+        args.sought.at[x.pixel] = 1u;
+    }
     if (isWorthAsking(toLight)) {
         args.shadowRays.at[i] = toLight.shadow;
         args.contributions.at[i] = toLight.contribution;

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Samples a point on a light for each rough point and adds its light if it is unoccluded.
 // reads: rough points, lights, tables
-// writes: direct light
+// writes: direct light, marks of the pixels where light was sought
 // threads: camera paths
 // computes: L = f E cosθ / pmf as above, times p² / (p² + q²) if BSDF sampling can also hit the light [Veach95], [Walter07]
 #include "shared/kernel_arguments.h"
@@ -25,8 +25,11 @@ void main() {
     MaterialRecord material = texturedMaterial(args.materials.at[x.material], x.position, x.uv);
     Lobe lobe = x.isCoat != 0u ? coatOf(material) : lobeOf(material, (x.from & kRayInside) == 0u);
     Sampler s = lightSampler(x.samplerSeed, args.light, args.pass);
-    LightRecord light = args.lights.at[lightAsked(args.lights, args.lightCount, args.light, s, x.depth)];
-    DirectLight toLight = directLight(light, args.light == kNone ? light.pmf : 1.0, x, lobe, s);
+    LightPick pick = lightAsked(args.lights, args.light, x.position, s, x.depth);
+    DirectLight toLight = directLight(args.lights.at[pick.light], pick.pmf, x, lobe, s);
+    if (isSome(uvec2(args.sought))) {
+        args.sought.at[x.result] = 1u;
+    }
     bool asks = isWorthAsking(toLight);
     countAll(args.rayCount, asks ? 1u : 0u);
     if (asks && traceScene(args.rootNode, toLight.shadow, true).object == kNone) {

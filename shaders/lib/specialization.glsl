@@ -32,6 +32,9 @@ layout(constant_id = 10) const uint kCsgLeaves = kMaxCsgLeaves;
 // Bit kLight… is set for every type of light in the scene. With a single type, no light is asked for its type.
 layout(constant_id = 11) const uint kLightTypes = 0xffffffffu;
 
+// 0: the scene has one light, which every pick takes.
+layout(constant_id = 12) const uint kManyLights = 1u;
+
 bool sceneHas(uint shape) {
     return ((kShapeTypes >> shape) & 1u) != 0u;
 }

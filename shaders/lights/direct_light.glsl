@@ -22,9 +22,9 @@ Sampler lightSampler(uint samplerSeed, uint index, uint pass) {
     return pathSampler(index == kNone ? samplerSeed : deriveSequence(samplerSeed, index), pass);
 }
 
-// The requested light; with kNone, one picked by the lights' pmf.
-uint lightAsked(LightArray lights, uint lightCount, uint index, Sampler s, uint depth) {
-    return index == kNone ? pickLight(lights, lightCount, s, cameraLightChoice(depth - 1u)) : index;
+// The requested light; with kNone, one picked for a receiver at x.
+LightPick lightAsked(LightArray lights, uint index, vec3 x, Sampler s, uint depth) {
+    return index == kNone ? pickLightAt(lights, x, sampleUnit(s, cameraLightChoice(depth - 1u))) : LightPick(index, 1.0);
 }
 
 // `pmf`: probability of picking the light. `bounces`: a cosine-distributed ray may hit the same point of it.

@@ -8,25 +8,12 @@
 #include "lights/directional.glsl"
 #include "lights/environment.glsl"
 #include "lights/light_sample.glsl"
+#include "lights/pick_light.glsl"
 #include "lights/point.glsl"
 #include "lights/spot.glsl"
 #include "lib/sampling.glsl"
 
-// The first light whose cdf exceeds x in [0, 1): light i with probability pmf_i.
-uint pickLight(LightArray lights, uint lightCount, float x) {
-    uint first = 0u, last = lightCount - 1u;
-    while (first < last) {
-        uint middle = (first + last) / 2u;
-        if (x < lights.at[middle].cdf) {
-            last = middle;
-        } else {
-            first = middle + 1u;
-        }
-    }
-    return first;
-}
-
-// The same, with a number from the sampler if there is more than one light.
+// As pickLight, with a number from the sampler if there is more than one light.
 uint pickLight(LightArray lights, uint lightCount, Sampler s, uint dimension) {
     return lightCount > 1u ? pickLight(lights, lightCount, sampleUnit(s, dimension).x) : 0u;
 }

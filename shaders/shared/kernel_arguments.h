@@ -91,12 +91,12 @@ struct SampleRoughLightsArguments {
     LightArray lights;
     ColorArray direct; // in and out, at RoughPoint.result: radiance [W/(m^2 sr)] is added
     uint count;
-    uint lightCount;
-    uint light; // the light to sample; kNone: one picked in proportion to power
+    uint light; // the light to sample; kNone: one picked for each point, see lights/pick_light.glsl
     uint pass;
     uint rootNode;
     QueueSizeArray live;
     UintArray rayCount; // in and out: shadow rays traced, 64 bits; see lib/counter.glsl
+    UintArray sought;   // in and out, at RoughPoint.result: 1 where light was sought; null: not noted
 };
 
 struct SampleLightsArguments {
@@ -106,8 +106,7 @@ struct SampleLightsArguments {
     RayArray shadowRays;      // out; tMax = 0: nothing to trace
     ColorArray contributions; // out: radiance [W/(m^2 sr)] if the light is unoccluded
     uint count;
-    uint lightCount;
-    uint light; // the light to sample; kNone: one picked by the lights' pmf
+    uint light; // the light to sample; kNone: one picked for each point, see lights/pick_light.glsl
     uint pass;
     uint maxDepth;
     uint bounceDepth; // 0: all of them, and nothing else brings their light; else those of this depth alone, from which
@@ -115,6 +114,7 @@ struct SampleLightsArguments {
     uint width;       // of the picture if the threads are its pixels [pixels], see pixelOfThread; else 0
     QueueSizeArray live;
     CameraPathArray paths; // paths whose pixels have the visible points; null: one visible point per thread
+    UintArray sought;      // in and out, by pixel: 1 where light was sought; null: not noted
 };
 
 // Continues camera paths from the diffuse surfaces that they have just reached.
@@ -461,10 +461,12 @@ SHARED_CONSTANT kErrorChunk = 64u; // pixels whose relative squared errors one t
 struct EstimateErrorArguments {
     FilmArray first; // sums over each sequence's passes, layer after layer
     FilmArray second;
-    ColorArray errors; // out: standard error of each pixel [W/(m^2 sr)]
-    FloatArray sums;   // out, one per thread: of variance / (mean^2 + 0.01), over pixels and channels
-    uint count;        // pixels
-    float firstPasses; // >= 1
+    UintArray sought;   // by pixel: 1 where light was sought, see SampleLightsArguments
+    ColorArray errors;  // out: standard error of each pixel [W/(m^2 sr)]
+    FloatArray sums;    // out, one per thread: of variance / (mean^2 + 0.01), over pixels and channels
+    UintPairArray dark; // out, one per thread: pixels where no light was found, and those of them where it was sought
+    uint count;         // pixels
+    float firstPasses;  // >= 1
     float secondPasses;
     uint layers;
     uint light; // bit i is set where layer i is part of the picture

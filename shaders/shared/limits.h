@@ -50,5 +50,24 @@ SHARED_FLOAT kSmoothIndex = 1.0e-3F;
 // the radiance behind the glass. But the light may be occluded, and the highlight of a pane's back needs paths as well.
 SHARED_FLOAT kShareToLight = 0.5F;
 
+// Share of the picks of a light for a receiver that follow the lights' pmf, whatever the place: half of that is even
+// over the lights, so N lights of any strength get 1 / (8 N) of the picks each.
+SHARED_FLOAT kPicksByPmf = 0.25F;
+
+// Of the other picks, the share that is even between light from beyond the scene and all other lights: the estimate
+// that decides the rest knows nothing of occlusion. A sun that a roof keeps out takes at most 8 of 10 picks.
+SHARED_FLOAT kEvenPicks = 0.5F;
+
+// Share of the photons that are even over the lights, the rest being in proportion to their flux: the flux of light
+// from beyond the scene grows with the scene, and says little of what it does where the camera looks.
+SHARED_FLOAT kEvenPhotons = 0.5F;
+
+// The least that a light is estimated to shine in a direction, of its intensity: the estimate is continuous, and a
+// wrong bound cannot starve a light.
+SHARED_FLOAT kLeastFade = 0.015625F;
+
+// The least squared distance from a light that the estimate distinguishes [m^2].
+SHARED_FLOAT kNearestLight2 = 1.0e-24F;
+
 SHARED_END
 #endif

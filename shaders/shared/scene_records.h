@@ -39,6 +39,29 @@ SHARED_CONSTANT kLightBeam = 6u;        // parallel, from a disc
 SHARED_CONSTANT kLightDirectional = 7u; // parallel, from beyond the scene onto all of it
 SHARED_CONSTANT kLightEnvironment = 8u; // from beyond the scene in all directions; the first light if the scene has one
 
+// A node of the hierarchy over the lights, see lights/pick_light.glsl.
+struct LightNode {
+    vec3 center;     // of a sphere around the node's lights, world [m]; beam: of the disc where it starts
+    float radius;    // of that sphere or disc [m]; light from beyond the scene: 0
+    vec3 axis;       // unit, of the cone in which the lights shine undiminished; beam: its direction
+    float cosSpread; // cosine and sine of the cone's half-angle
+    float sinSpread;
+    float cosFade;   // cosine of the angle outside the cone at which nothing is left
+    float intensity; // the lights' largest, summed [W/sr, or W/m^2 of a far light, over a common unit]
+    uint parent;     // kNone: the root, or a far light
+    uint second;     // second child; the first is the next node; 0: the node is a light
+    uint light;      // that light
+};
+DEVICE_ARRAY(LightNode, LightNodeArray);
+
+struct LightHierarchy {
+    LightNodeArray nodes; // the far lights, whose strength does not fall off with distance; then the others' tree,
+                          // depth first
+    uint lightCount;
+    uint farCount; // number of far lights; the root of the tree, unless all are far
+};
+DEVICE_ARRAY(LightHierarchy, LightHierarchyArray);
+
 struct LightRecord {
     uint type;
     vec3 position;  // point, spot: place; quad: corner; disk, sphere, beam: centre; directional, environment: centre of
@@ -54,14 +77,16 @@ struct LightRecord {
     vec3 emission;  // point, spot: intensity on the axis [W/sr]; beam, directional: irradiance [W/m^2]; surfaces:
                     // radiance [W/(m^2 sr)]; environment: mean radiance of all directions [W/(m^2 sr)]
     vec3 power;     // flux [W]
-    float pmf;      // probability that a photon or a shadow ray picks this light
+    float pmf;      // probability that a photon picks this light; also part of a shadow ray's, see pickLightAt
     float cdf;      // cumulative pmf up to and including this light; 1 for the last
     uint columns;   // mesh: triangles; environment: texels of a row
     uint rows;      // environment
     float rotation; // environment: about +y, counter-clockwise [turns], in [0, 1)
     CdfArray cdfs;  // mesh: triangles by area; environment: the rows, then the texels of each row
     LightTriangleArray triangles;
-    RadianceArray texels; // environment: row by row, the upper one first
+    RadianceArray texels;          // environment: row by row, the upper one first
+    LightHierarchyArray hierarchy; // one, of all lights
+    uint node;                     // this light's, in the hierarchy
 };
 DEVICE_ARRAY(LightRecord, LightArray);
 

@@ -74,9 +74,9 @@ class TargetError(CliTest):
             self.assertIn("after 3 passes", said)
             self.assertEqual(len(report["warnings"]), 1)
         result = self.run_program("render", "scene.yaml", "--passes", "3", "--target-error", "1e-9")
-        self.assertRegex(result.stdout, r"estimated error [\d.e-]+ \(target 1e-09 not met\)\n$")
+        self.assertRegex(result.stdout, r"estimated error [\d.e-]+ \(target 1e-09 not met\)(, \d+ pixels?: no light found yet)?\n$")
         said = self.succeed("render", "scene.yaml", "--passes", "3", "--target-error", "10")
-        self.assertRegex(said, r"estimated error [\d.e-]+ \(target 10 met\)\n$")
+        self.assertRegex(said, r"estimated error [\d.e-]+ \(target 10 met\)(, \d+ pixels?: no light found yet)?\n$")
 
     def test_one_pass_has_no_estimate_and_reaches_no_target(self):
         self.write("scene.yaml", SCENE)
@@ -84,6 +84,27 @@ class TargetError(CliTest):
         self.assertIsNone(report["error_estimate"])
         self.assertIs(report["target_error_met"], False)
         self.assertIn("there is no estimate after 1 pass", said)
+
+    def test_what_was_not_found_is_unknown_on_both_backends(self):
+        # A sun that a roof keeps out, and a floor in its shadow: nothing is found, and no target is met
+        scene = """
+hyalite: 1
+camera: {position: [0, 0.5, 0], look_at: [0, 0, 0], up: [0, 0, 1], resolution: [8, 8]}
+render: {integrator: INTEGRATOR, passes: 20, photons: 100, max_depth: 3, target_error: 10}
+materials: {white: {type: diffuse}, black: {type: diffuse, albedo: 0}}
+lights: [{type: directional, direction: [0, -1, 0], irradiance: 100}]
+objects:
+  - {shape: {type: quad, corner: [-1, 0, 1], edges: [[2, 0, 0], [0, 0, -2]]}, material: white}
+  - {shape: {type: sphere, center: [0, 0, 0], radius: 3}, material: black}
+"""
+        for integrator in ("path", "ppm"):
+            self.write("scene.yaml", scene.replace("INTEGRATOR", integrator))
+            for backend in ("vulkan", "reference"):
+                report, said = self.render("scene.yaml", "--backend", backend)
+                self.assertIsNone(report["error_estimate"])
+                self.assertEqual((report["passes"], report["pixels_without_light"]), (20, 64))
+                self.assertIs(report["target_error_met"], False)
+                self.assertIn("there is no estimate after 20 passes, 64 pixels: no light found yet", said)
 
     def test_a_time_limit_still_ends_a_render_that_has_a_target(self):
         self.write("scene.yaml", SCENE)

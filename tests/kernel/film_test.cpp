@@ -244,6 +244,7 @@ TEST_CASE("a checkpoint keeps every counter, and merged parts sum all of them") 
         part.film.passes.add({pass, pass + 1});
         part.film.faults.resize(shared::kFilmFaults);
         part.film.sums.fill(std::vector<shared::FilmColor>(1));
+        part.film.sought = {pass};
         for (const render::CounterRow& row : render::kCounters) {
             // Different ones, more than 32 bits each
             part.counts[row.counter] = (std::uint64_t{1} << 33U) * (pass + 1) + static_cast<std::uint64_t>(row.counter);
@@ -253,6 +254,8 @@ TEST_CASE("a checkpoint keeps every counter, and merged parts sum all of them") 
         parts.push_back(render::readCheckpoint(file));
     }
     render::addCheckpoint(parts[0], parts[1], "1");
+    CHECK(parts[1].film.sought == std::vector<std::uint32_t>{1});
+    CHECK(parts[0].film.sought == std::vector<std::uint32_t>{1});
     for (const render::CounterRow& row : render::kCounters) {
         INFO(row.key);
         CHECK(parts[0].counts[row.counter] ==

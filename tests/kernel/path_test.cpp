@@ -118,12 +118,12 @@ TEST_CASE("light sampled for continuing paths is weighted against the light that
                                            rays,
                                            contributions,
                                            kPoints,
-                                           both.deviceScene.lightCount,
                                            shared::kNone,
                                            kPass,
                                            maxDepth,
                                            kDepth,
                                            0,
+                                           {},
                                            {},
                                            {}},
              kPoints);

@@ -206,12 +206,21 @@ TEST_CASE("the film's error is the reference's, for even and odd numbers of pass
     constexpr std::uint32_t kHeight = 11;
     const std::vector<LayerKind> layers{{"a"}, {"radius", /*isLight*/ false}, {"b"}};
     render::Film film(both.device, {kWidth, kHeight}, layers);
-    reference::LayeredFilm expected(kWidth, kHeight, layers);
+    // Light is sought in every fifth pixel, and every third is black: every fifteenth is unknown
+    const auto seeks = [](std::uint32_t pixel, std::uint32_t /*pass*/) { return pixel % 5 == 0; };
+    constexpr std::uint32_t kUnknown = (kWidth * kHeight + 14) / 15;
+    reference::LayeredFilm expected(kWidth, kHeight, layers, seeks);
+    both.device.commands.finish();
+    render::FilmState marked = film.state();
+    for (std::uint32_t pixel = 0; pixel < marked.sought.size(); ++pixel) {
+        marked.sought[pixel] = seeks(pixel, 0) ? 1 : 0;
+    }
+    film.restore(both.device, marked);
     reference::test::Random random;
     const auto picture = [&] {
         std::vector<vec3> colors(std::size_t{kWidth} * kHeight);
-        for (vec3& color : colors) {
-            color = {random.unit(), 10 * random.unit(), 0.01 * random.unit()};
+        for (std::size_t pixel = 0; pixel < colors.size(); ++pixel) {
+            colors[pixel] = pixel % 3 == 0 ? dvec3(0) : dvec3(random.unit(), 10 * random.unit(), 0.01 * random.unit());
         }
         return both.upload(colors);
     };
@@ -226,13 +235,15 @@ TEST_CASE("the film's error is the reference's, for even and odd numbers of pass
         expected.addPass([&](std::uint32_t pixel) {
             return std::array<dvec3, 3>{colors[0].host()[pixel], colors[1].host()[pixel], colors[2].host()[pixel]};
         });
-        const std::optional<double> error = film.estimateError(both.device);
+        const std::optional<double> error = film.estimateError(both.device).error;
         REQUIRE(error.has_value() == (pass > 0));
         if (error) {
             // Each of the 37 * 11 * 3 squares is off by some roundings of 6e-8, and where the two means are close by
             // these relative to their difference; the large ones decide
-            CHECK_THAT(*error, Catch::Matchers::WithinRel(expected.error().value(), 1e-5));
-            CHECK(film.estimateError(both.device) == error); // the same bits
+            CHECK_THAT(*error, Catch::Matchers::WithinRel(expected.error().error.value(), 1e-5));
+            CHECK(film.estimateError(both.device).darkPixels == kUnknown);
+            CHECK(expected.error().darkPixels == kUnknown);
+            CHECK(film.estimateError(both.device).error == error); // the same bits
         }
     }
     const LayeredImage device = film.resolve(both.device);

@@ -118,10 +118,10 @@ TEST_CASE("rough points get the light of the reference's samples") {
                                                       b.both.deviceScene.lights,
                                                       direct,
                                                       count,
-                                                      3,
                                                       light,
                                                       3,
                                                       b.both.deviceScene.rootNode,
+                                                      {},
                                                       {},
                                                       {}},
                    count);

@@ -94,7 +94,8 @@ Scene sampledScene() {
                      .positions = {{0, 0, 0}, {1, 0, 0}, {1, 0.4, 0}, {1, 1, 0}, {0, 1, 0}},
                      .normals = {},
                      .triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}, // of a square, by areas of 0.2, 0.3 and 0.5
-                     .uvs = {}}};
+                     .uvs = {},
+                     .lines = {}}};
     reference::test::addObject(scene, MeshInstance{}, 0, dvec3(1));
     return scene;
 }
@@ -247,7 +248,7 @@ std::vector<Theory> theories(const reference::World& world) {
         sum += flux;
     }
     for (const double flux : fluxes) {
-        shares.push_back(flux / sum);
+        shares.push_back(flux / sum / 2 + 0.5 / kLights); // half of the picks by flux, half even
     }
     // Across each direction of the sky a disc; the middle of the scene is its centre, the distance of no matter
     return {uniform("disc", [](const dvec3& p) { return dvec2(glm::dot(p, p), turns(p.y, p.x)); }),

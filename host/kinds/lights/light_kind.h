@@ -51,8 +51,8 @@ inline constexpr Range kRadiance{0, kLargestEmission, true, true, "W/(m^2 sr)"};
 inline constexpr KeyDoc kPhotonShare{.name = "photon_share",
                                      .range = {1e-3, 1e3},
                                      .defaultText = "1",
-                                     .text = "factor of the power in light selection: 2 doubles the light's share "
-                                             "of photons and light samples"};
+                                     .text = "factor of the light's weight where lights are picked: 2 about doubles "
+                                             "its share of photons and light samples"};
 
 // Reports a light that emits nothing.
 [[noreturn]] inline void failDark(const Value& where, const KeyDoc& key) {

@@ -1,10 +1,15 @@
 // See light_table.h.
 #include "kinds/lights/light_table.h"
 
+#include "geometry/light_tree.h"
 #include "kinds/lights/light_kinds.h"
 #include "scene/model/bounds.h"
 
+#include "shaders/shared/limits.h"
+
+#include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace hyalite::kinds {
 
@@ -30,6 +35,7 @@ double appendCdf(std::vector<float>& cdfs, const std::vector<double>& weights) {
 
 void LightTable::add(const shared::LightRecord& light, double share) {
     lights.push_back(light);
+    shares.push_back(share);
     weights.push_back(channelMean(light.power) * share);
 }
 
@@ -51,18 +57,43 @@ shared::LightRecord endlessLight(const Scene& scene, std::uint32_t type) {
 namespace {
 
 void setProbabilities(LightTable& table) {
-    double total = 0;
-    for (const double weight : table.weights) {
-        total += weight;
-    }
+    const double flux = std::accumulate(table.weights.begin(), table.weights.end(), 0.0);
+    const double shares = std::accumulate(table.shares.begin(), table.shares.end(), 0.0);
+    constexpr double kEven = shared::kEvenPhotons;
     double sum = 0;
     for (std::size_t i = 0; i < table.weights.size(); ++i) {
-        sum += table.weights[i];
-        table.lights[i].pmf = static_cast<float>(table.weights[i] / total);
-        table.lights[i].cdf = static_cast<float>(sum / total);
+        const double pmf = (1 - kEven) * table.weights[i] / flux + kEven * table.shares[i] / shares;
+        sum += pmf;
+        table.lights[i].pmf = static_cast<float>(pmf);
+        table.lights[i].cdf = static_cast<float>(sum);
     }
     if (!table.lights.empty()) {
         table.lights.back().cdf = 1;
+    }
+}
+
+shared::LightNode nodeRecord(const LightTree::Node& node) {
+    const LightExtent& e = node.extent;
+    return {.center = e.center,
+            .radius = static_cast<float>(e.radius),
+            .axis = e.axis,
+            .cosSpread = static_cast<float>(std::cos(e.spread)),
+            .sinSpread = static_cast<float>(std::sin(e.spread)),
+            .cosFade = static_cast<float>(std::cos(e.fade)),
+            .intensity = static_cast<float>(e.intensity),
+            .parent = node.parent,
+            .second = node.second,
+            .light = node.light};
+}
+
+void addNodes(const Scene& scene, LightTable& table) {
+    const LightTree tree = buildLightTree(lightExtents(scene));
+    for (const LightTree::Node& node : tree.nodes) {
+        table.nodes.push_back(nodeRecord(node));
+    }
+    table.farCount = tree.farCount;
+    for (std::size_t i = 0; i < table.lights.size(); ++i) {
+        table.lights[i].node = tree.leafOf.at(i);
     }
 }
 
@@ -76,15 +107,17 @@ LightTable buildLightTable(const Scene& scene) {
         }
     }
     setProbabilities(table);
+    addNodes(scene, table);
     return table;
 }
 
 void setAddresses(std::vector<shared::LightRecord>& lights, shared::LightTriangleArray triangles,
-                  shared::RadianceArray texels, shared::CdfArray cdfs) {
+                  shared::RadianceArray texels, shared::CdfArray cdfs, shared::LightHierarchyArray hierarchy) {
     for (shared::LightRecord& light : lights) {
         light.triangles.address += triangles.address;
         light.texels.address += texels.address;
         light.cdfs.address += cdfs.address;
+        light.hierarchy = hierarchy;
     }
 }
 

@@ -11,12 +11,15 @@
 
 namespace hyalite::kinds {
 
-// Lights in the order of their kinds (light_kinds.h), within a kind in the scene's order. A light's pmf is proportional
-// to the mean of its flux's channels times its photon share. Until setAddresses, the array addresses of a light are
-// byte offsets.
+// Lights in the order of their kinds (light_kinds.h), within a kind in the scene's order. A part kEvenPhotons of the
+// pmf is proportional to the photon share, the rest to the mean of the flux's channels times the photon share. Until
+// setAddresses, the array addresses of a light are byte offsets.
 struct LightTable {
     std::vector<shared::LightRecord> lights;
-    std::vector<double> weights; // selection weight of each light: mean flux [W] times photon share
+    std::vector<double> shares;  // photon share of each light
+    std::vector<double> weights; // the same times its mean flux [W]
+    std::vector<shared::LightNode> nodes;
+    std::uint32_t farCount = 0; // see shared::LightHierarchy
     std::vector<shared::LightTriangle> triangles;
     std::vector<glm::vec3> texels;  // environment, scaled [W/(m^2 sr)]
     std::vector<float> cdfs;        // see LightRecord
@@ -43,6 +46,6 @@ void setStartDisc(shared::LightRecord& light, double radius, double distance);
 
 // Turns the byte offsets in the lights into device addresses.
 void setAddresses(std::vector<shared::LightRecord>& lights, shared::LightTriangleArray triangles,
-                  shared::RadianceArray texels, shared::CdfArray cdfs);
+                  shared::RadianceArray texels, shared::CdfArray cdfs, shared::LightHierarchyArray hierarchy);
 
 } // namespace hyalite::kinds

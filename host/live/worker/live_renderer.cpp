@@ -222,7 +222,7 @@ LiveRenderer::Frame LiveRenderer::frame() {
     {
         const DispatchGuard::Uninterrupted scope(guard_); // the passes are done: show what they cost
         frame.image = run_->film->resolve(device_);
-        frame.error = run_->film->estimateError(device_);
+        frame.error = run_->film->estimateError(device_).error;
     }
     frame.isPreview = run_->isPreview;
     frame.passes = run_->passes;

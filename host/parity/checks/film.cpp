@@ -22,9 +22,10 @@ struct ColorFields : FieldSet<1> {
 };
 constexpr ColorFields kColors;
 
-struct ErrorFields : FieldSet<2> {
+struct ErrorFields : FieldSet<3> {
     const Field& error = vector("error", kMean);
     const Field& sum = number("sum", kSum);
+    const Field& black = exact("black pixels");
 };
 constexpr ErrorFields kErrors;
 
@@ -105,13 +106,16 @@ void compareEstimateError(const Stage& stage) {
     const std::size_t chunks = (args.count + shared::kErrorChunk - 1) / shared::kErrorChunk;
     const auto first = stage.seen.before<shared::FilmColor>(args.first, layers);
     const auto second = stage.seen.before<shared::FilmColor>(args.second, layers);
+    const auto sought = stage.seen.before<std::uint32_t>(args.sought, args.count);
     const auto errors = stage.seen.after<glm::vec3>(args.errors, args.count);
+    const auto dark = stage.seen.after<glm::uvec2>(args.dark, chunks);
     const auto sums = stage.seen.after<float>(args.sums, chunks);
     const auto n = double{args.firstPasses};
     const auto m = double{args.secondPasses};
     std::vector<double> expected(chunks, 0);
     // Rounding of a mean changes its error e by the same amount, and e^2 by 2 e times that amount
     std::vector<double> scales(chunks, 0);
+    std::vector<std::uint64_t> black(chunks, 0); // pixels, those where light was sought in the upper half
     for (std::size_t i = 0; i < args.count; ++i) {
         dvec3 a(0);
         dvec3 b(0);
@@ -123,8 +127,11 @@ void compareEstimateError(const Stage& stage) {
         }
         const dvec3 mean = (a + b) / (n + m);
         // Scatter of both sequences' means about the overall mean, each weighted by its share of the passes
-        const dvec3 variance =
-            n / (n + m) * (a / n - mean) * (a / n - mean) + m / (n + m) * (b / m - mean) * (b / m - mean);
+        dvec3 variance = n / (n + m) * (a / n - mean) * (a / n - mean) + m / (n + m) * (b / m - mean) * (b / m - mean);
+        if (mean == dvec3(0)) {
+            black[i % chunks] += sought[i] != 0 ? (std::uint64_t{1} << 32U) + 1 : 1;
+            variance = dvec3(sought[i] != 0 ? 0.01 : 0); // unknown
+        }
         const dvec3 relative = variance / (mean * mean + 0.01);
         expected[i % chunks] += relative.x + relative.y + relative.z;
         scales[i % chunks] += 2 * (std::sqrt(relative.x) + std::sqrt(relative.y) + std::sqrt(relative.z));
@@ -139,6 +146,8 @@ void compareEstimateError(const Stage& stage) {
         device.number(kErrors.sum, double{sums[chunk]}, scales[chunk]);
         Answer answer;
         answer.number(kErrors.sum, expected[chunk], scales[chunk]);
+        device.exact(kErrors.black, std::uint64_t{dark[chunk].y} << 32U | dark[chunk].x);
+        answer.exact(kErrors.black, black[chunk]);
         stage.compareExact(args.count + chunk, device, answer);
     }
 }

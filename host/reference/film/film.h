@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/parallel.h"
+#include "image/error_estimate.h"
 #include "image/layered_image.h"
 
 #include "shaders/shared/random.h"
@@ -10,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <optional>
 #include <utility>
@@ -17,11 +19,14 @@
 
 namespace hyalite::reference {
 
+// Does that pass's path of the pixel look for light at a surface that reflects it? Asked for black pixels.
+using SeeksLight = std::function<bool(std::uint32_t pixel, std::uint32_t pass)>;
+
 // Several films of one picture.
 class LayeredFilm {
 public:
-    LayeredFilm(std::uint32_t width, std::uint32_t height, std::vector<LayerKind> layers)
-        : layers_(std::move(layers)), width_(width), height_(height) {
+    LayeredFilm(std::uint32_t width, std::uint32_t height, std::vector<LayerKind> layers, SeeksLight seeks)
+        : layers_(std::move(layers)), width_(width), height_(height), seeks_(std::move(seeks)) {
         sums_.fill(std::vector<glm::dvec3>(pixelCount() * layers_.size(), glm::dvec3(0)));
     }
 
@@ -55,24 +60,32 @@ public:
         if (passes_ >= shared::kCameraSequences) {
             result.error = blank();
             for (std::size_t pixel = 0; pixel < pixelCount(); ++pixel) {
-                result.error->pixels[pixel] = glm::vec3(glm::sqrt(variance(pixel)));
+                result.error->pixels[pixel] =
+                    glm::vec3(glm::sqrt(isUnknown(pixel) ? glm::dvec3(kFloor) : variance(pixel)));
             }
         }
         return result;
     }
 
-    // Root of the mean over pixels and channels of Var / (mean^2 + 0.01), with Var the estimated variance of the mean;
-    // none before the second pass.
-    [[nodiscard]] std::optional<double> error() const {
+    [[nodiscard]] ErrorEstimate error() const {
+        ErrorEstimate estimate;
         if (passes_ < shared::kCameraSequences) {
-            return std::nullopt;
+            return estimate;
         }
-        glm::dvec3 sum(0);
+        double sum = 0;
+        bool isBlack = true;
         for (std::size_t pixel = 0; pixel < pixelCount(); ++pixel) {
             const glm::dvec3 mean = (light(0, pixel) + light(1, pixel)) / static_cast<double>(passes_);
-            sum += variance(pixel) / (mean * mean + 0.01);
+            isBlack = isBlack && mean == glm::dvec3(0);
+            const bool unknown = isUnknown(pixel);
+            estimate.darkPixels += unknown ? 1 : 0;
+            const glm::dvec3 relative = (unknown ? glm::dvec3(kFloor) : variance(pixel)) / (mean * mean + kFloor);
+            sum += relative.x + relative.y + relative.z;
         }
-        return std::sqrt((sum.x + sum.y + sum.z) / (3.0 * static_cast<double>(pixelCount())));
+        if (!isBlack) {
+            estimate.error = std::sqrt(sum / (3.0 * static_cast<double>(pixelCount())));
+        }
+        return estimate;
     }
 
 private:
@@ -102,19 +115,28 @@ private:
         return scatter;
     }
 
+    // No light was found where it was sought: any could be there, and the variance is not known to be 0.
+    [[nodiscard]] bool isUnknown(std::size_t pixel) const {
+        return light(0, pixel) + light(1, pixel) == glm::dvec3(0) &&
+               seeks_(static_cast<std::uint32_t>(pixel), passes_ - 1);
+    }
+
     static_assert(shared::kCameraSequences == 2);
+    static constexpr double kFloor = 0.01; // of squared radiances in the error [(W/(m^2 sr))^2]
 
     std::vector<LayerKind> layers_;
     std::uint32_t width_;
     std::uint32_t height_;
     std::uint32_t passes_ = 0;
+    SeeksLight seeks_;
     std::array<std::vector<glm::dvec3>, 2> sums_; // [W/(m^2 sr)] of each sequence; layer by layer within each pixel
 };
 
 // A picture of one layer.
 class Film {
 public:
-    Film(std::uint32_t width, std::uint32_t height) : film_(width, height, {{"radiance"}}) {}
+    Film(std::uint32_t width, std::uint32_t height, SeeksLight seeks)
+        : film_(width, height, {{"radiance"}}, std::move(seeks)) {}
 
     // Adds radiance(pixel), a dvec3, to every pixel, from all cores at once.
     template <typename Radiance>
@@ -123,7 +145,7 @@ public:
     }
 
     [[nodiscard]] LayeredImage mean() const { return film_.mean(); }
-    [[nodiscard]] std::optional<double> error() const { return film_.error(); }
+    [[nodiscard]] ErrorEstimate error() const { return film_.error(); }
 
 private:
     LayeredFilm film_;

@@ -79,7 +79,8 @@ glm::dvec3 pathRadiance(const World& world, std::uint32_t pixel, std::uint32_t p
 }
 
 LayeredImage renderPath(const World& world, const RenderOptions& options) {
-    Film film(world.camera.width, world.camera.height);
+    Film film(world.camera.width, world.camera.height,
+              [&](std::uint32_t pixel, std::uint32_t pass) { return seeksLight(world, pixel, pass); });
     for (std::uint32_t pass = 0; pass < world.render.passes; ++pass) {
         film.addPass([&](std::uint32_t pixel) { return pathRadiance(world, pixel, pass); });
         if (options.afterPass && !options.afterPass(pass + 1, film.error())) {

@@ -135,7 +135,8 @@ ViewLayers layersOfView(const World& world, const PhotonMaps& maps) {
 LayeredImage renderPhotonMap(const World& world, const RenderOptions& options) {
     const PhotonMaps maps = buildPhotonMaps(world);
     const ViewLayers layers = layersOfView(world, maps);
-    LayeredFilm film(world.camera.width, world.camera.height, layers.kinds);
+    LayeredFilm film(world.camera.width, world.camera.height, layers.kinds,
+                     [&](std::uint32_t pixel, std::uint32_t pass) { return seeksLight(world, pixel, pass); });
     for (std::uint32_t pass = 0; pass < world.render.passes; ++pass) {
         film.addPass([&](std::uint32_t pixel) { return layers.sample(pixel, pass); });
         if (options.afterPass && !options.afterPass(pass + 1, film.error())) {

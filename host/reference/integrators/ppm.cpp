@@ -113,7 +113,8 @@ double nextRadius2(double radius2, std::uint32_t pass, double alpha) {
 }
 
 LayeredImage renderPpm(const World& world, const RenderOptions& options) {
-    Film film(world.camera.width, world.camera.height);
+    Film film(world.camera.width, world.camera.height,
+              [&](std::uint32_t pixel, std::uint32_t pass) { return seeksLight(world, pixel, pass); });
     SearchRadii radii = firstRadii(world);
     for (std::uint32_t pass = 0; pass < world.render.passes; ++pass) {
         const ProgressiveMaps maps = traceProgressive(world, radii, pass);

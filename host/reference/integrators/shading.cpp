@@ -6,6 +6,8 @@
 #include "reference/bsdf/interface.h"
 #include "reference/bsdf/medium.h"
 #include "reference/lib/sampling.h"
+#include "reference/lights/light_choice.h"
+#include "reference/lights/receiver.h"
 #include "reference/textures/texture.h"
 #include "scene/model/render_seed.h"
 #include "shaders/shared/limits.h"
@@ -109,7 +111,8 @@ double emissionWeight(const World& world, const Light& light, const CameraPath& 
     if (path.pdfW == 0) {
         return 1;
     }
-    const double pmf = world.cameraPaths.followsAllWays ? 1 : light.pmf;
+    const auto index = static_cast<std::uint32_t>(&light - world.lights.data());
+    const double pmf = world.cameraPaths.followsAllWays ? 1 : pickProbability(world, index, ray.origin);
     return powerHeuristic(path.pdfW, pmf * lightPdf(light, ray.origin, ray.direction, distance, normal));
 }
 
@@ -210,6 +213,26 @@ Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const C
         dropLightweights(shading.next, world.render.minWeight);
     }
     return shading;
+}
+
+bool seeksLight(const World& world, std::uint32_t pixel, std::uint32_t pass) {
+    NextRay step{.ray = generateCameraRay(world, pixel, pass), .path = beginCameraPath(world, pixel, pass)};
+    for (std::uint32_t depth = 1; depth < world.render.maxDepth; ++depth) {
+        const std::optional<Hit> hit = traceClosest(world, step.ray);
+        if (!hit) {
+            return false;
+        }
+        const Shading shading = shadeSurface(world, step.ray, *hit, step.path, depth, pass);
+        const bool reflects = shading.visible && receiverAt(*shading.visible).f != glm::dvec3(0);
+        if (reflects || shading.rough) {
+            return true;
+        }
+        if (!shading.next[0]) {
+            return false;
+        }
+        step = *shading.next[0];
+    }
+    return false;
 }
 
 } // namespace hyalite::reference

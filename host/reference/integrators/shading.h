@@ -44,4 +44,8 @@ struct Shading {
 [[nodiscard]] Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const CameraPath& path,
                                    std::uint32_t depth, std::uint32_t pass);
 
+// True if that pass's path of the pixel reaches a surface that reflects light diffusely or by a rough lobe, and may be
+// one segment longer to look for light there: if the pixel is black, its light may not have been found yet.
+[[nodiscard]] bool seeksLight(const World& world, std::uint32_t pixel, std::uint32_t pass);
+
 } // namespace hyalite::reference

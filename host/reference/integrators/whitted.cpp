@@ -41,7 +41,8 @@ glm::dvec3 whittedRadiance(const World& world, std::uint32_t pixel, std::uint32_
 }
 
 LayeredImage renderWhitted(const World& world, const RenderOptions& options) {
-    Film film(world.camera.width, world.camera.height);
+    // Every light is asked at every surface: a black pixel is not for want of luck
+    Film film(world.camera.width, world.camera.height, [](std::uint32_t, std::uint32_t) { return false; });
     for (std::uint32_t pass = 0; pass < world.render.passes; ++pass) {
         film.addPass([&](std::uint32_t pixel) { return whittedRadiance(world, pixel, pass); });
         if (options.afterPass && !options.afterPass(pass + 1, film.error())) {

@@ -1,10 +1,13 @@
 // Sampling the lights from both ends: shadow rays from surfaces, photons from the lights.
 #include "reference/lights/lights.h"
 
+#include "reference/lights/light_choice.h"
 #include "reference/lights/receiver.h"
 #include "reference/photons/photons.h"
 #include "reference/photons/projection_map.h"
 #include "reference/world.h"
+
+#include "shaders/shared/limits.h"
 
 #include <utility>
 
@@ -18,12 +21,16 @@ double channelMean(const glm::dvec3& c) {
 
 void setProbabilities(std::vector<Light>& lights) {
     double total = 0;
+    double shares = 0;
     for (const Light& light : lights) {
         total += channelMean(light.power) * light.share;
+        shares += light.share;
     }
+    constexpr double kEven = shared::kEvenPhotons;
     double cdf = 0;
     for (Light& light : lights) {
-        light.pmf = total > 0 ? channelMean(light.power) * light.share / total : 0;
+        const double byFlux = total > 0 ? channelMean(light.power) / total : 0;
+        light.pmf = total > 0 ? light.share * ((1 - kEven) * byFlux + kEven / shares) : 0;
         cdf += light.pmf;
         light.cdf = cdf;
     }
@@ -81,9 +88,10 @@ LightArrival sampleArrival(const World& world, const glm::dvec3& receiver, const
         light = *choice.light;
         sampler.seed = shared::deriveSequence(sampler.seed, light);
     } else {
-        const double x = sampleUnitSquare(sampler, shared::cameraLightChoice(vertex), choice.shift).x;
-        light = chooseLight(world.lights, x);
-        pmf = world.lights[light].pmf;
+        const LightPick pick =
+            pickLightAt(world, receiver, sampleUnitSquare(sampler, shared::cameraLightChoice(vertex), choice.shift));
+        light = pick.light;
+        pmf = pick.pmf;
     }
     const glm::dvec2 uv = sampleUnitSquare(sampler, shared::cameraLightPoint(vertex), choice.shift);
     const Light& chosen = world.lights[light];

@@ -26,16 +26,17 @@ struct PhotonPass;
 struct Light {
     std::variant<PointLight, SpotLight, ParallelLight, SurroundingLight, AreaLight> shape;
     glm::dvec3 power; // flux [W]: 4 pi I of a point, pi A L of a surface; for others see makeLights
-    double share = 1; // weight of the power in the pmf
-    double pmf = 0;   // probability that a photon or a shadow ray picks this light
+    double share = 1; // weight in the pmf
+    double pmf = 0;   // probability that a photon picks this light; see also light_choice.h
     double cdf = 0;   // sum of the pmf up to and including this light; 1 for the last
     std::optional<std::uint32_t> object = std::nullopt; // the emitting object of the scene; none: not an object
 };
 
-// The environment, points, spots and directional lights in the scene's order, then emitting objects in theirs; the pmf
-// is proportional to the mean of the flux's channels times the share (all 0 if nothing emits). The flux of parallel
-// light is that through its disc; the flux of the environment is integrated over all directions, each through a disc of
-// the radius of lightSphere. Throws Error(BadInput) if an emitting object is not a quad, disk, sphere or mesh.
+// The environment, points, spots and directional lights in the scene's order, then emitting objects in theirs. A part
+// kEvenPhotons of the pmf is proportional to the share, the rest to the share times the mean of the flux's channels
+// (all 0 if nothing emits). The flux of parallel light is that through its disc; the flux of the environment is
+// integrated over all directions, each through a disc of the radius of lightSphere. Throws Error(BadInput) if an
+// emitting object is not a quad, disk, sphere or mesh.
 [[nodiscard]] std::vector<Light> makeLights(const Scene& scene);
 
 // The first light with x < cdf; x in [0, 1). At least one light must emit.
@@ -58,7 +59,7 @@ struct VisiblePoint {
 };
 
 // Which light to sample, with which random numbers: the given light, with its own sequence (whitted sums over all
-// lights), or one picked by the pmf (ppm).
+// lights), or one picked for the receiver (ppm).
 struct LightChoice {
     std::uint32_t depth = 0; // of the lit vertex
     std::uint32_t samplerSeed = 0;
@@ -85,7 +86,7 @@ struct LightSample {
     double pdfW = 0;         // sampling density [1/sr]; 0: no ray can hit the light
 };
 
-// Samples one light, given or picked by the pmf, at a visible point in a pass; `shift`: see LightChoice. None: the
+// Samples one light, given or picked for it, at a visible point in a pass; `shift`: see LightChoice. None: the
 // light cannot reach that side of the surface.
 [[nodiscard]] std::optional<LightSample> sampleLight(const World& world, const VisiblePoint& x, std::uint32_t pass,
                                                      std::optional<std::uint32_t> light, double shift = 0);

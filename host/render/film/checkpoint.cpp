@@ -1,6 +1,6 @@
 // The file: a header of fixed size, the identity, the names of the layers and the counts as lines of text, the ranges
-// of passes, the faults, the sums word by word (little-endian; a plane of high words that are all zero is omitted), and
-// a checksum.
+// of passes, the faults, the sums word by word (little-endian; a plane of high words that are all zero is omitted), a
+// bit for each pixel where light was sought, and a checksum.
 #include "render/film/checkpoint.h"
 
 #include "base/error.h"
@@ -21,7 +21,7 @@ static_assert(std::endian::native == std::endian::little);
 
 namespace {
 
-constexpr std::array<char, 8> kMagic{'h', 'y', 'a', 'c', 'h', 'k', 'p', '2'};
+constexpr std::array<char, 8> kMagic{'h', 'y', 'a', 'c', 'h', 'k', 'p', '3'};
 
 // More than the largest picture with five layers takes.
 constexpr std::size_t kLargestFile = std::size_t{1} << 38U;
@@ -69,6 +69,23 @@ std::vector<std::uint32_t> plane(std::span<const shared::FilmColor> sums, std::u
         }
     }
     return words;
+}
+
+// 32 pixels a word, the first in the lowest bit.
+std::vector<std::uint32_t> packedBits(const std::vector<std::uint32_t>& values) {
+    std::vector<std::uint32_t> words((values.size() + 31) / 32, 0);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        words[i / 32] |= values[i] << i % 32;
+    }
+    return words;
+}
+
+std::vector<std::uint32_t> unpackedBits(const std::vector<std::uint32_t>& words, std::size_t count) {
+    std::vector<std::uint32_t> values(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        values[i] = words[i / 32] >> i % 32 & 1U;
+    }
+    return values;
 }
 
 // Reads a file from its beginning; fails if it ends too early.
@@ -217,6 +234,8 @@ void writeCheckpoint(const std::filesystem::path& path, const Checkpoint& checkp
                 }
             }
         }
+        const std::vector<std::uint32_t> sought = packedBits(film.sought);
+        append(std::as_bytes(std::span(sought)));
         write(std::as_bytes(std::span(&checksum, 1)));
     });
 }
@@ -261,6 +280,7 @@ Checkpoint parseCheckpoint(std::span<const std::byte> content, const std::string
             readSums(cursor, std::span(sums).subspan(layer * pixels, pixels));
         }
     }
+    film.sought = unpackedBits(cursor.array<std::uint32_t>((pixels + 31) / 32), pixels);
     static_cast<void>(cursor.bytes(sizeof checksum));
     if (!cursor.isAtEnd()) {
         cursor.fail("checkpoint is corrupt: the file is longer than its content");

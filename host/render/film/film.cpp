@@ -19,7 +19,10 @@ Film::Film(Device& device, glm::uvec2 resolution, std::vector<LayerKind> layers)
     : resolution_(resolution), layers_(std::move(layers)), accumulateFilm_(device.kernel("accumulate_film")),
       resolveFilm_(device.kernel("resolve_film")), estimateError_(device.kernel("estimate_error")),
       image_(device.context, pixelCount(), "image"),
-      errorSums_(device.context, (pixelCount() + shared::kErrorChunk - 1) / shared::kErrorChunk, "sums of errors") {
+      errorSums_(device.context, (pixelCount() + shared::kErrorChunk - 1) / shared::kErrorChunk, "sums of errors"),
+      darkCounts_(device.context, errorSums_.count(), "counts of black pixels"),
+      sought_(device.context, pixelCount(), "pixels where light was sought") {
+    device.commands.clear(sought_.buffer());
     for (auto& sums : sums_) {
         sums = {device.context, layers_.size() * pixelCount(), "film"};
         device.commands.clear(sums.buffer());
@@ -72,17 +75,18 @@ LayeredImage Film::resolve(Device& device) {
         images.push_back(read());
     }
     LayeredImage result = compose(layers_, std::move(images));
-    if (estimateError(device)) {
+    static_cast<void>(estimateError(device));
+    if (passes_.count(0) > 0 && passes_.count(1) > 0) {
         result.error = read();
     }
     return result;
 }
 
-std::optional<double> Film::estimateError(Device& device) {
+ErrorEstimate Film::estimateError(Device& device) {
     const std::uint32_t first = passes_.count(0);
     const std::uint32_t second = passes_.count(1);
     if (first == 0 || second == 0) {
-        return std::nullopt;
+        return {};
     }
     std::uint32_t light = 0;
     for (std::size_t layer = 0; layer < layers_.size(); ++layer) {
@@ -91,8 +95,10 @@ std::optional<double> Film::estimateError(Device& device) {
     device.commands.run(estimateError_,
                         shared::EstimateErrorArguments{.first = sums_[0],
                                                        .second = sums_[1],
+                                                       .sought = sought_,
                                                        .errors = image_,
                                                        .sums = errorSums_,
+                                                       .dark = darkCounts_,
                                                        .count = pixelCount(),
                                                        .firstPasses = static_cast<float>(first),
                                                        .secondPasses = static_cast<float>(second),
@@ -104,11 +110,19 @@ std::optional<double> Film::estimateError(Device& device) {
     for (const float chunk : errorSums_.read()) {
         sum += chunk;
     }
-    return std::sqrt(sum / (3.0 * pixelCount()));
+    glm::uvec2 dark(0);
+    for (const glm::uvec2& chunk : darkCounts_.read()) {
+        dark += chunk;
+    }
+    ErrorEstimate estimate{.darkPixels = dark.y};
+    if (dark.x < pixelCount()) {
+        estimate.error = std::sqrt(sum / (3.0 * pixelCount()));
+    }
+    return estimate;
 }
 
 FilmState Film::state() const {
-    return {resolution_, layers_, passes_, faults_, {sums_[0].read(), sums_[1].read()}};
+    return {resolution_, layers_, passes_, faults_, {sums_[0].read(), sums_[1].read()}, sought_.read()};
 }
 
 void Film::restore(Device& device, const FilmState& state) {
@@ -116,6 +130,7 @@ void Film::restore(Device& device, const FilmState& state) {
     for (std::size_t sequence = 0; sequence < sums_.size(); ++sequence) {
         sums_.at(sequence).write(state.sums.at(sequence));
     }
+    sought_.write(state.sought);
     passes_ = state.passes;
     faults_ = state.faults;
 }

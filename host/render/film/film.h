@@ -1,6 +1,7 @@
 // The sums over passes that make the picture, one per layer and camera sequence, and the error estimate from them.
 #pragma once
 
+#include "image/error_estimate.h"
 #include "image/layered_image.h"
 #include "render/film/film_state.h"
 #include "render/wavefront/device.h"
@@ -34,9 +35,12 @@ public:
     // The means over the passes, of which there must be at least one, and their standard error.
     [[nodiscard]] LayeredImage resolve(Device& device);
 
-    // Root of the mean over pixels and channels of Var / (mean^2 + 0.01), where Var is the estimated variance of the
-    // mean over the passes so far; none until both camera sequences have a pass. The same bits every time.
-    [[nodiscard]] std::optional<double> estimateError(Device& device);
+    // The same bits every time.
+    [[nodiscard]] ErrorEstimate estimateError(Device& device);
+
+    // By pixel, 0 at first: kernels set 1 where a path looks for light at a surface that reflects it. A pixel without
+    // light there is not known to be black.
+    [[nodiscard]] shared::UintArray sought() const { return sought_; }
 
     // The whole state of the film, once the device has finished; restore() requires the same resolution and layers.
     [[nodiscard]] FilmState state() const;
@@ -59,6 +63,8 @@ private:
     gpu::Array<glm::uvec2> passFaults_; // of this pass: number and lowest pixel; in the order of faults_
     gpu::Array<glm::vec3> image_;
     gpu::Array<float> errorSums_;
+    gpu::Array<glm::uvec2> darkCounts_; // see EstimateErrorArguments
+    gpu::Array<std::uint32_t> sought_;
 };
 
 } // namespace hyalite::render

@@ -102,6 +102,9 @@ void addFilm(FilmState& film, const FilmState& part) {
             add(color.blue, more.blue);
         }
     }
+    for (std::size_t i = 0; i < pixels; ++i) {
+        film.sought[i] |= part.sought[i];
+    }
     for (const PassRange& range : part.passes.ranges()) {
         film.passes.add(range);
     }

@@ -59,6 +59,7 @@ struct FilmState {
     PassSet passes;
     std::vector<FilmFault> faults;                                             // layer after layer, kFilmFaults each
     std::array<std::vector<shared::FilmColor>, shared::kCameraSequences> sums; // layer after layer
+    std::vector<std::uint32_t> sought;                                         // by pixel, 0 or 1: see Film::sought
 };
 
 // Adds the faults `more` to `fault`.

@@ -39,11 +39,13 @@ std::uint64_t hashOf(const DeviceScene& deviceScene) {
         light.triangles = {}; // addresses of parts of lights differ from run to run; the parts themselves follow
         light.texels = {};
         light.cdfs = {};
+        light.hierarchy = {};
         state = fnv(std::as_bytes(std::span(&light, 1)), state);
     }
     state = fnvOf(deviceScene.lightTriangles, state);
     state = fnvOf(deviceScene.lightTexels, state);
     state = fnvOf(deviceScene.lightCdfs, state);
+    state = fnvOf(deviceScene.lightNodes, state);
     state = fnvOf(deviceScene.textures, state);
     state = fnvOf(deviceScene.textureCoordinates, state);
     state = fnvOf(deviceScene.instances, state);

@@ -109,7 +109,11 @@ DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, c
     device.lightTriangles = {context, std::span<const shared::LightTriangle>(lights.triangles), "emitting triangles"};
     device.lightTexels = {context, std::span<const vec3>(lights.texels), "environment"};
     device.lightCdfs = {context, std::span<const float>(lights.cdfs), "parts of lights"};
-    kinds::setAddresses(lights.lights, device.lightTriangles, device.lightTexels, device.lightCdfs);
+    device.lightNodes = {context, std::span<const shared::LightNode>(lights.nodes), "hierarchy of lights"};
+    const shared::LightHierarchy hierarchy{device.lightNodes, device.lightCount, lights.farCount};
+    device.lightHierarchy = {context, std::span(&hierarchy, 1), "head of the hierarchy of lights"};
+    kinds::setAddresses(lights.lights, device.lightTriangles, device.lightTexels, device.lightCdfs,
+                        device.lightHierarchy);
     device.lights = {context, std::span<const shared::LightRecord>(lights.lights), "lights"};
     device.instances = {context, std::span<const shared::InstanceRecord>(objects.instances), "instances"};
     device.normals = upload(context, meshes.normals, "normals");
@@ -127,6 +131,7 @@ DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, c
     device.specialization["kCsgLeaves"] = std::max(objects.mostLeaves, 1U);
     device.specialization["kLightTypes"] = typesOf(lights.lights);
     device.specialization["kMaterialTypes"] = materials.types;
+    device.specialization["kManyLights"] = device.lightCount > 1 ? 1 : 0;
     device.specialization["kLightsSought"] = device.lightCount <= shared::kMostLightsSought ? device.lightCount : 0;
     device.objectOf = std::move(objects.objectOf);
     device.leafOf = std::move(objects.leafOf);

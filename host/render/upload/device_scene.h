@@ -12,13 +12,15 @@ namespace hyalite::render {
 struct DeviceScene {
     shared::CameraRecord camera;
     gpu::Array<shared::MaterialRecord> materials;
-    gpu::Array<shared::LightRecord> lights; // they refer to elements of the next three
+    gpu::Array<shared::LightRecord> lights; // they refer to elements of the next five
     gpu::Array<shared::LightTriangle> lightTriangles;
     gpu::Array<glm::vec3> lightTexels;
     gpu::Array<float> lightCdfs;
-    gpu::Array<shared::InstanceRecord> instances; // in device order, like the objects
-    gpu::Array<glm::vec3> normals;                // three for each triangle with normals; those come first
-    gpu::Array<glm::uvec4> geometry;              // triangles, then nodes
+    gpu::Array<shared::LightNode> lightNodes;
+    gpu::Array<shared::LightHierarchy> lightHierarchy; // one
+    gpu::Array<shared::InstanceRecord> instances;      // in device order, like the objects
+    gpu::Array<glm::vec3> normals;                     // three for each triangle with normals; those come first
+    gpu::Array<glm::uvec4> geometry;                   // triangles, then nodes
     gpu::Array<glm::vec4> objects;
     gpu::Array<glm::vec4> textures;
     gpu::Array<glm::vec4> textureCoordinates; // of the triangles

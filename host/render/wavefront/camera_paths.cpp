@@ -17,8 +17,8 @@ gpu::Specialization shading(const DeviceScene& deviceScene, AtDiffuse atDiffuse)
 } // namespace
 
 CameraPaths::CameraPaths(Device& device, const Scene& scene, const DeviceScene& deviceScene, std::uint32_t capacity,
-                         AtDiffuse atDiffuse)
-    : device_(device), scene_(scene), deviceScene_(deviceScene),
+                         shared::UintArray sought, AtDiffuse atDiffuse)
+    : device_(device), scene_(scene), deviceScene_(deviceScene), sought_(sought),
       generateCameraRays_(device.kernel("generate_camera_rays")),
       traceClosest_(device.kernel("trace_closest", deviceScene.specialization)),
       shadeSurface_(device.kernel("shade_surface", shading(deviceScene, atDiffuse))), compaction_(device),
@@ -57,7 +57,7 @@ void CameraPaths::follow(std::uint32_t pass, const gpu::Array<shared::VisiblePoi
         }
         bounce(depth, pass, visiblePoints, emitted);
         if (direct != nullptr) {
-            roughLight_.sample(roughPoints_, *direct, queue_.threads(), shared::kNone, pass, shadowRays_);
+            roughLight_.sample(roughPoints_, *direct, queue_.threads(), shared::kNone, pass, shadowRays_, sought_);
         }
         if (atHits) {
             atHits(depth);

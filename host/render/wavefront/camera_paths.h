@@ -22,9 +22,9 @@ enum class AtDiffuse { Ends, Bounces };
 
 class CameraPaths {
 public:
-    // Keeps the references. `capacity`: paths in flight, one per pixel.
+    // Keeps the references. `capacity`: paths in flight, one per pixel. `sought`: see Film::sought; null: not noted.
     CameraPaths(Device& device, const Scene& scene, const DeviceScene& deviceScene, std::uint32_t capacity,
-                AtDiffuse atDiffuse = AtDiffuse::Ends);
+                shared::UintArray sought = {}, AtDiffuse atDiffuse = AtDiffuse::Ends);
 
     // The queue where paths start: one ray and one path per pixel, or any that a kernel writes here.
     [[nodiscard]] CameraQueue& queue() { return queue_; }
@@ -55,6 +55,7 @@ private:
     Device& device_;
     const Scene& scene_;
     const DeviceScene& deviceScene_;
+    shared::UintArray sought_;
     gpu::Kernel generateCameraRays_;
     gpu::Kernel traceClosest_;
     gpu::Kernel shadeSurface_;

@@ -5,8 +5,9 @@
 
 namespace hyalite::render {
 
-LightSampler::LightSampler(Device& device, const DeviceScene& deviceScene, std::uint32_t capacity)
-    : device_(device), deviceScene_(deviceScene),
+LightSampler::LightSampler(Device& device, const DeviceScene& deviceScene, std::uint32_t capacity,
+                           shared::UintArray sought)
+    : device_(device), deviceScene_(deviceScene), sought_(sought),
       sampleLights_(device.kernel("sample_lights", deviceScene.specialization)),
       traceShadow_(device.kernel("trace_shadow", deviceScene.specialization)),
       shadowRays_(device.context, capacity, "shadow rays"),
@@ -38,14 +39,14 @@ void LightSampler::record(const gpu::Array<shared::VisiblePoint>& visiblePoints,
                                                        .shadowRays = shadowRays_,
                                                        .contributions = contributions_,
                                                        .count = most,
-                                                       .lightCount = deviceScene_.lightCount,
                                                        .light = sampling.light,
                                                        .pass = sampling.pass,
                                                        .maxDepth = sampling.maxDepth,
                                                        .bounceDepth = sampling.bounceDepth,
                                                        .width = deviceScene_.widthOf(most),
                                                        .live = sampling.threads.live(),
-                                                       .paths = sampling.paths},
+                                                       .paths = sampling.paths,
+                                                       .sought = sought_},
                          sampling.threads);
 }
 

@@ -11,11 +11,11 @@ namespace hyalite::render {
 
 class LightSampler {
 public:
-    // Keeps the references. `capacity`: most visible points.
-    LightSampler(Device& device, const DeviceScene& deviceScene, std::uint32_t capacity);
+    // Keeps the references. `capacity`: most visible points. `sought`: see Film::sought; null: not noted.
+    LightSampler(Device& device, const DeviceScene& deviceScene, std::uint32_t capacity, shared::UintArray sought);
 
-    // Samples a point on `light` (kNone: on one picked in proportion to its share of the photons) for each visible
-    // point; points beyond maxDepth segments are not sampled.
+    // Samples a point on `light` (kNone: on one picked by place) for each visible point; points beyond maxDepth
+    // segments are not sampled.
     void sample(const gpu::Array<shared::VisiblePoint>& visiblePoints, std::uint32_t light, std::uint32_t pass,
                 std::uint32_t maxDepth);
     // Adds the light of the unoccluded samples.
@@ -47,6 +47,7 @@ private:
 
     Device& device_;
     const DeviceScene& deviceScene_;
+    shared::UintArray sought_;
     gpu::Kernel sampleLights_;
     gpu::Kernel traceShadow_;
     gpu::Array<shared::Ray> shadowRays_;

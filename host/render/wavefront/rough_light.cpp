@@ -9,7 +9,7 @@ RoughLight::RoughLight(Device& device, const DeviceScene& deviceScene) : device_
 }
 
 void RoughLight::sample(shared::RoughPointArray points, shared::ColorArray direct, const gpu::ThreadCount& paths,
-                        std::uint32_t light, std::uint32_t pass, shared::UintArray rayCount) {
+                        std::uint32_t light, std::uint32_t pass, shared::UintArray rayCount, shared::UintArray sought) {
     if (!sampleRoughLights_) {
         return;
     }
@@ -19,12 +19,12 @@ void RoughLight::sample(shared::RoughPointArray points, shared::ColorArray direc
                                                             .lights = deviceScene_.lights,
                                                             .direct = direct,
                                                             .count = paths.most(),
-                                                            .lightCount = deviceScene_.lightCount,
                                                             .light = light,
                                                             .pass = pass,
                                                             .rootNode = deviceScene_.rootNode,
                                                             .live = paths.live(),
-                                                            .rayCount = rayCount},
+                                                            .rayCount = rayCount,
+                                                            .sought = sought},
                          paths);
 }
 

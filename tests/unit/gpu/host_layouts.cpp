@@ -32,7 +32,9 @@ std::map<std::string, HostLayout> hostLayouts() {
                 parameters, function, colorTexture, roughnessTexture);
     HOST_LAYOUT(LightTriangle, corner, edge0, edge1, normal);
     HOST_LAYOUT(LightRecord, type, position, edge0, edge1, normal, radius, distance, cone, error, area, emission, power,
-                pmf, cdf, columns, rows, rotation, cdfs, triangles, texels);
+                pmf, cdf, columns, rows, rotation, cdfs, triangles, texels, hierarchy, node);
+    HOST_LAYOUT(LightNode, center, radius, axis, cosSpread, sinSpread, cosFade, intensity, parent, second, light);
+    HOST_LAYOUT(LightHierarchy, nodes, lightCount, farCount);
     HOST_LAYOUT(InstanceRecord, row0, row1, row2);
     HOST_LAYOUT(Ray, origin, tMax, direction, from);
     HOST_LAYOUT(Hit, t, object, primitive, uv);
@@ -57,10 +59,10 @@ std::map<std::string, HostLayout> hostLayouts() {
                 camera.up, camera.width, camera.height, camera.lensRadius, camera.focusDistance, count, depth, maxDepth,
                 pass, minWeight, lightCount, rootNode, keptRays, keptPaths, hits, emitted, visiblePoints, live,
                 rayCount);
-    HOST_LAYOUT(SampleRoughLightsArguments, roughPoints, materials, lights, direct, count, lightCount, light, pass,
-                rootNode, live, rayCount);
-    HOST_LAYOUT(SampleLightsArguments, visiblePoints, materials, lights, shadowRays, contributions, count, lightCount,
-                light, pass, maxDepth, bounceDepth, width, live, paths);
+    HOST_LAYOUT(SampleRoughLightsArguments, roughPoints, materials, lights, direct, count, light, pass, rootNode, live,
+                rayCount, sought);
+    HOST_LAYOUT(SampleLightsArguments, visiblePoints, materials, lights, shadowRays, contributions, count, light, pass,
+                maxDepth, bounceDepth, width, live, paths, sought);
     HOST_LAYOUT(BouncePathsArguments, paths, visiblePoints, materials, nextRays, nextPaths, alive, count, depth,
                 maxDepth, pass, live);
     HOST_LAYOUT(TraceShadowArguments, shadowRays, contributions, direct, count, rootNode, width, live, rayCount, paths);
@@ -101,7 +103,8 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(AddGatheredLightArguments, colors, gathered, count, scale);
     HOST_LAYOUT(AccumulateFilmArguments, colors, film, faults, count);
     HOST_LAYOUT(ResolveFilmArguments, first, second, image, count, scale);
-    HOST_LAYOUT(EstimateErrorArguments, first, second, errors, sums, count, firstPasses, secondPasses, layers, light);
+    HOST_LAYOUT(EstimateErrorArguments, first, second, sought, errors, sums, dark, count, firstPasses, secondPasses,
+                layers, light);
     HOST_LAYOUT(ShowSurfaceArguments, rays, hits, normals, instances, colors, count, shown);
     HOST_LAYOUT(TargetRecord, center, radius);
     HOST_LAYOUT(EmitCausticPhotonsArguments, lights, targets, rays, paths, first, count, ofPass, lightCount,

@@ -148,7 +148,7 @@ TEST_CASE("rendering may be ended after any pass and gives the mean so far") {
     scene.render.passes = 5;
     std::vector<std::uint32_t> calls;
     const LayeredImage stopped =
-        render(scene, renderPpm, {.afterPass = [&](std::uint32_t done, std::optional<double> /*error*/) {
+        render(scene, renderPpm, {.afterPass = [&](std::uint32_t done, const ErrorEstimate& /*error*/) {
                    calls.push_back(done);
                    return done < 2;
                }});

@@ -13,8 +13,8 @@ IntegratorKind PathTracing::kind() {
 
 PathTracing::PathTracing(const IntegratorInput& input)
     : device_(input.device), scene_(input.scene), deviceScene_(input.deviceScene), film_(input.film),
-      cameraPaths_(device_, scene_, input.deviceScene, film_.pixelCount(), AtDiffuse::Bounces),
-      lightSampler_(device_, input.deviceScene, film_.pixelCount()),
+      cameraPaths_(device_, scene_, input.deviceScene, film_.pixelCount(), film_.sought(), AtDiffuse::Bounces),
+      lightSampler_(device_, input.deviceScene, film_.pixelCount(), film_.sought()),
       bouncePaths_(device_.kernel("bounce_paths", deviceScene_.specialization)),
       visiblePoints_(device_.context, film_.pixelCount(), "visible points"),
       met_(device_.context, film_.pixelCount(), "light met"),

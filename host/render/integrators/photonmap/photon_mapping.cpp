@@ -47,8 +47,8 @@ IntegratorKind PhotonMapping::kind() {
 
 PhotonMapping::PhotonMapping(const IntegratorInput& input)
     : device_(input.device), scene_(input.scene), deviceScene_(input.deviceScene), film_(input.film),
-      files_(input.photonFiles), cameraPaths_(device_, scene_, deviceScene_, film_.pixelCount()),
-      lightSampler_(device_, deviceScene_, film_.pixelCount()), maps_(device_, scene_, deviceScene_),
+      files_(input.photonFiles), cameraPaths_(device_, scene_, deviceScene_, film_.pixelCount(), film_.sought()),
+      lightSampler_(device_, deviceScene_, film_.pixelCount(), film_.sought()), maps_(device_, scene_, deviceScene_),
       startGatherRays_(device_.kernel("start_gather_rays", deviceScene_.specialization)),
       skipShadowRays_(device_.kernel("skip_shadow_rays")), addGatheredLight_(device_.kernel("add_gathered_light")),
       visiblePoints_(device_.context, film_.pixelCount(), "visible points"),

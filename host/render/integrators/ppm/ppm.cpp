@@ -41,8 +41,8 @@ IntegratorKind Ppm::kind() {
 
 Ppm::Ppm(const IntegratorInput& input)
     : device_(input.device), scene_(input.scene), deviceScene_(input.deviceScene), film_(input.film),
-      cameraPaths_(device_, scene_, input.deviceScene, film_.pixelCount()),
-      lightSampler_(device_, input.deviceScene, film_.pixelCount()),
+      cameraPaths_(device_, scene_, input.deviceScene, film_.pixelCount(), film_.sought()),
+      lightSampler_(device_, input.deviceScene, film_.pixelCount(), film_.sought()),
       photonPaths_(device_, scene_, input.deviceScene,
                    std::min(kPhotonsInFlight, std::max(scene_.render.photons, scene_.render.photonMap.causticPhotons))),
       grid_(device_), gatherRadiance_(device_.kernel("gather_radiance", deviceScene_.specialization)),
