@@ -38,7 +38,11 @@ void DeviceTracer::trace() {
                                                           .width = kInOrder,
                                                           .live = {},
                                                           .rayCount = {},
-                                                          .paths = {}},
+                                                          .paths = {},
+                                                          .visiblePoints = {},
+                                                          .materials = {},
+                                                          .normals = {},
+                                                          .instances = {}},
                              count);
     } else {
         device_.commands.run(traceClosest_,

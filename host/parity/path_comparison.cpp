@@ -24,7 +24,7 @@ std::string differenceAt(const Sides& sides, const Vertex& device, const Vertex&
     if (relativeTo(device.position, twin.position, sides.scale()) > kPathTolerance) {
         return "position";
     }
-    if (device.medium != twin.medium) {
+    if (device.media != twin.media) {
         return "medium";
     }
     if (relativeTo(device.weight, twin.weight, 0) > kPathTolerance) {

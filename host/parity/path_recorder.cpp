@@ -37,7 +37,8 @@ void PathRecorder::addShading(const Shaded& shaded, std::uint32_t depth, std::ui
     DeviceVertex vertex = vertexAt(sides_, shaded.ray, shaded.hit, surface);
     vertex.seed = shaded.path.samplerSeed;
     vertex.depth = depth;
-    vertex.medium = shaded.path.medium;
+    vertex.media = shaded.path.media;
+    vertex.medium = sides_.mediumOf(vertex.media);
     vertex.weight = dvec3(shaded.path.beta);
     vertex.pdfW = double{shaded.path.pdfW};
     // A path that bounces off diffuse surfaces may have stored its visible point at an earlier one
@@ -83,7 +84,8 @@ void PathRecorder::addScattering(const Scattered& scattered, std::uint32_t depth
     std::optional<reference::Surface> surface;
     DeviceVertex vertex = vertexAt(sides_, scattered.ray, scattered.hit, surface);
     vertex.depth = depth;
-    vertex.medium = scattered.path.medium;
+    vertex.media = scattered.path.media;
+    vertex.medium = sides_.mediumOf(vertex.media);
     vertex.weight = dvec3(scattered.path.power);
     vertex.photonKind = scattered.path.kind;
     vertex.light = scattered.path.light;

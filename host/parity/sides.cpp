@@ -2,7 +2,9 @@
 
 #include "base/error.h"
 #include "reference/lights/receiver.h"
+#include "reference/media/medium.h"
 #include "reference/textures/texture.h"
+#include "render/upload/media_word.h"
 
 #include "shaders/shared/limits.h"
 #include "shaders/shared/scene_records.h"
@@ -68,7 +70,7 @@ std::optional<reference::Hit> Sides::toTwin(const shared::Hit& hit) const {
 reference::CameraPath Sides::toTwin(const shared::CameraPath& path) const {
     return {.beta = dvec3(path.beta),
             .samplerSeed = path.samplerSeed,
-            .medium = material(path.medium),
+            .media = media(path.media),
             .pdfW = double{path.pdfW}};
 }
 
@@ -77,7 +79,7 @@ reference::PhotonPath Sides::toTwin(const shared::PhotonPath& path) const {
             .photon = path.photon,
             .light = path.light,
             .kind = static_cast<reference::PhotonKind>(path.kind),
-            .medium = material(path.medium)};
+            .media = media(path.media)};
 }
 
 MaterialModel Sides::materialAt(std::uint32_t number, const dvec3& position, const glm::dvec2& uv, Nudge nudge) const {
@@ -102,7 +104,8 @@ reference::VisiblePoint Sides::toTwin(const shared::VisiblePoint& x, Nudge nudge
                             : std::optional(materialAt(x.material, dvec3(x.onSurface), glm::dvec2(x.uv), nudge)),
             .depth = x.depth,
             .samplerSeed = x.samplerSeed,
-            .quad = isObject ? std::get_if<Quad>(&world_.objects[objectOf_[left]].shape) : nullptr};
+            .quad = isObject ? std::get_if<Quad>(&world_.objects[objectOf_[left]].shape) : nullptr,
+            .media = media(x.media)};
 }
 
 bool Sides::reflects(const shared::VisiblePoint& x) const {
@@ -115,9 +118,13 @@ reference::RoughPoint Sides::toTwin(const shared::RoughPoint& x, Nudge nudge) co
     twin.surface.geometricNormal = glm::normalize(dvec3(x.geometricNormal));
     twin.surface.normal = glm::normalize(dvec3(x.normal));
     twin.surface.offset = double{x.error};
-    const MaterialModel model = materialAt(x.material, dvec3(x.position), glm::dvec2(x.uv), nudge);
-    twin.lobe = x.isCoat != 0 ? reference::coatOf(model).value()
-                              : reference::lobeOf(model, (x.from & shared::kRayInside) == 0).value();
+    twin.media = media(x.media);
+    twin.beyond = media(x.beyond);
+    const bool front = (x.from & shared::kRayInside) == 0;
+    const MaterialModel model = reference::relativeTo(
+        world_.materials, world_.indicesFromMedia, materialAt(x.material, dvec3(x.position), glm::dvec2(x.uv), nudge),
+        {.before = twin.media, .beyond = twin.beyond, .front = front});
+    twin.lobe = x.isCoat != 0 ? reference::coatOf(model).value() : reference::lobeOf(model, front).value();
     twin.wo = glm::normalize(dvec3(x.wo));
     twin.beta = dvec3(x.beta);
     twin.depth = x.depth;
@@ -143,7 +150,16 @@ const Material* Sides::material(std::uint32_t number) const {
     return number < world_.materials.size() ? &world_.materials[number] : nullptr;
 }
 
-std::uint32_t Sides::numberOf(const Material* material) const {
+std::uint32_t Sides::numberOf(const reference::Media& media) const {
+    return render::mediaWord(scene_, media);
+}
+
+reference::Media Sides::media(std::uint32_t word) const {
+    return render::mediaOfWord(scene_, word);
+}
+
+std::uint32_t Sides::mediumOf(std::uint32_t word) const {
+    const Material* material = reference::mediumOf(world_.materials, media(word)).material;
     return material == nullptr ? shared::kNone : static_cast<std::uint32_t>(material - world_.materials.data());
 }
 
@@ -164,7 +180,7 @@ std::optional<reference::Hit> Sides::refined(const reference::Ray& ray, std::uin
 
 std::optional<reference::Hit> Sides::trace(const reference::Ray& ray, std::uint32_t from) const {
     std::optional<reference::Hit> hit = reference::traceClosest(world_, ray);
-    const std::uint32_t left = (from & ~shared::kRayInside) - 1U; // kNone if it leaves no object
+    const std::uint32_t left = (from & ~(shared::kRayInside | shared::kRayPasses)) - 1U; // kNone if it leaves no object
     if (!hit || left >= objectOf_.size() || hit->object != objectOf_[left]) {
         return hit;
     }
@@ -187,6 +203,11 @@ std::optional<reference::Hit> Sides::trace(const reference::Ray& ray, std::uint3
         hit->t += passed;
     }
     return hit;
+}
+
+bool Sides::touch(const std::optional<reference::Hit>& device, const std::optional<reference::Hit>& twin) const {
+    return device && twin && !world_.neighbors.empty() &&
+           std::ranges::count(world_.neighbors[device->object], twin->object, &reference::Neighbor::object) > 0;
 }
 
 bool Sides::areInOnePlace(const reference::Ray& ray, const std::optional<reference::Hit>& device,

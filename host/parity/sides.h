@@ -35,8 +35,11 @@ public:
     // A stored photon; its number is 0, because the device does not store one.
     [[nodiscard]] reference::Photon toTwin(const shared::Photon& photon) const;
 
-    // The device's index of a material of the world.
-    [[nodiscard]] std::uint32_t numberOf(const Material* material) const;
+    // The device's word for a list of media, and back.
+    [[nodiscard]] std::uint32_t numberOf(const reference::Media& media) const;
+    [[nodiscard]] reference::Media media(std::uint32_t word) const;
+    // The material of the medium that such a word stands for; kNone: none.
+    [[nodiscard]] std::uint32_t mediumOf(std::uint32_t word) const;
 
     // The nearest hit of a ray that leaves the object given by `from` (see shared::Ray). A hit at its start, within
     // rounding of that object's surface, does not count.
@@ -47,6 +50,9 @@ public:
     [[nodiscard]] std::optional<reference::Hit> refined(const reference::Ray& ray, std::uint32_t from,
                                                         const shared::Hit& hit) const;
 
+    // True if the objects hit by device and twin touch: then either is hit, and both mean the same.
+    [[nodiscard]] bool touch(const std::optional<reference::Hit>& device,
+                             const std::optional<reference::Hit>& twin) const;
     // True if the surfaces hit by device and twin coincide, so that rounding decides which one is hit. Moving the ray
     // would not separate them.
     [[nodiscard]] bool areInOnePlace(const reference::Ray& ray, const std::optional<reference::Hit>& device,

@@ -45,7 +45,8 @@ private:
         state.ray.direction = nudge.direction(state.ray.direction);
         std::optional<reference::Hit> hit = sides_.trace(state.ray, vertex_.ray.from);
         const std::optional<reference::Hit> device = sides_.toTwin(vertex_.hit);
-        if (!nudge.movesNothing() && sides_.areInOnePlace(sides_.toTwin(vertex_.ray), device, hit)) {
+        if ((!nudge.movesNothing() || sides_.touch(device, hit)) &&
+            sides_.areInOnePlace(sides_.toTwin(vertex_.ray), device, hit)) {
             hit = device;
         }
         return stepOf(sides_, key_, pass_, state, hit);
@@ -65,8 +66,7 @@ private:
                 return true; // the last segment of the longest path belongs to the camera
             }
             const DeviceVertex* v = following(next);
-            return v != nullptr &&
-                   v->medium == sides_.numberOf(key_.isPhoton ? next.photon.medium : next.camera.medium);
+            return v != nullptr && v->media == sides_.numberOf(key_.isPhoton ? next.photon.media : next.camera.media);
         };
         return step.vertex.object == vertex_.object && step.vertex.choice == vertex_.choice &&
                std::ranges::all_of(step.next, goesOnAlike);

@@ -19,14 +19,15 @@ Vertex vertexOf(const Sides& sides, const PathKey& key, const PathState& state,
     vertex.from = state.ray.origin;
     vertex.direction = state.ray.direction;
     if (key.isPhoton) {
-        vertex.medium = sides.numberOf(state.photon.medium);
+        vertex.media = sides.numberOf(state.photon.media);
         vertex.weight = state.photon.power;
     } else {
         vertex.seed = state.camera.samplerSeed;
-        vertex.medium = sides.numberOf(state.camera.medium);
+        vertex.media = sides.numberOf(state.camera.media);
         vertex.weight = state.camera.beta;
         vertex.pdfW = state.camera.pdfW;
     }
+    vertex.medium = sides.mediumOf(vertex.media);
     if (hit) {
         setSurface(vertex, sides, *hit, *surface);
     }
@@ -89,12 +90,12 @@ PathState stateBefore(const Sides& sides, const PathKey& key, const DeviceVertex
                                                        .photon = key.number,
                                                        .light = vertex.light,
                                                        .kind = vertex.photonKind,
-                                                       .medium = vertex.medium});
+                                                       .media = vertex.media});
     } else {
         state.camera = sides.toTwin(shared::CameraPath{.beta = glm::vec3(vertex.weight),
                                                        .pixel = key.number,
                                                        .samplerSeed = vertex.seed,
-                                                       .medium = vertex.medium,
+                                                       .media = vertex.media,
                                                        .pdfW = static_cast<float>(vertex.pdfW)});
     }
     return state;
@@ -121,7 +122,10 @@ PathState firstState(const Sides& sides, const PathKey& key, const reference::Ph
         const reference::Emission emission = reference::emitPhoton(world, key.number, pass, nudge.shift());
         return {.ray = emission.ray,
                 .camera = {},
-                .photon = {.power = emission.power, .photon = key.number, .light = emission.light}};
+                .photon = {.power = emission.power,
+                           .photon = key.number,
+                           .light = emission.light,
+                           .media = world.lights[emission.light].media}};
     }
     return {.ray = reference::generateCameraRay(world, key.number, key.sequence),
             .camera = reference::beginCameraPath(world, key.number, key.sequence),

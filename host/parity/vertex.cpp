@@ -26,7 +26,9 @@ void setSurface(Vertex& vertex, const Sides& sides, const reference::Hit& hit, c
     vertex.front = surface.front;
     vertex.object = hit.object;
     vertex.primitive = hit.primitive;
-    vertex.material = sides.numberOf(surface.material);
+    vertex.material = surface.material == nullptr
+                          ? shared::kNone
+                          : static_cast<std::uint32_t>(reference::materialNumber(sides.world(), surface));
 }
 
 std::uint32_t continuation(const reference::Surface& surface, const glm::dvec3& direction) {

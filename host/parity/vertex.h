@@ -4,6 +4,7 @@
 #include "parity/sides.h"
 
 #include "shaders/shared/limits.h"
+#include "shaders/shared/media.h"
 #include "shaders/shared/path_records.h"
 
 #include <cstdint>
@@ -34,7 +35,8 @@ struct Vertex {
     std::uint32_t object = shared::kNone;   // of the scene; kNone: nothing was hit
     std::uint32_t primitive = 0;            // see reference::Hit
     std::uint32_t material = shared::kNone; // of the scene
-    std::uint32_t medium = shared::kNone;   // around the segment
+    std::uint32_t media = shared::kNoMedia; // around the segment, as a word of the device
+    std::uint32_t medium = shared::kNone;   // the material of these media
     glm::dvec3 weight{0};                   // camera path: throughput; photon: flux [W]; along the segment
     double pdfW = 0;                        // camera path: of the segment's direction [1/sr]; 0: none
     std::uint32_t choice = 0;               // k… above

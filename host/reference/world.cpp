@@ -2,6 +2,8 @@
 #include "reference/world.h"
 
 #include "geometry/specular_targets.h"
+#include "reference/lights/shadow.h"
+#include "reference/media/start_media.h"
 #include "scene/model/bounds.h"
 
 #include <algorithm>
@@ -151,6 +153,7 @@ SurfacePoint surfaceOf(const Geometry& geometry, const Ray& ray, const Hit& hit)
 
 World prepareWorld(const Scene& scene) {
     World world{.camera = makeCameraFrame(scene.camera, scene.file),
+                .cameraMedia = {},
                 .render = scene.render,
                 .cameraPaths = integratorNamed(scene.render.integrator).cameraPaths,
                 .sceneRadius = sceneRadius(scene),
@@ -164,6 +167,7 @@ World prepareWorld(const Scene& scene) {
                 .geometry = {},
                 .lights = makeLights(scene),
                 .lightTree = buildLightTree(lightExtents(scene)),
+                .neighbors = {},
                 .bounded = {},
                 .unbounded = {},
                 .bvh = {}};
@@ -181,6 +185,14 @@ World prepareWorld(const Scene& scene) {
         }
     }
     world.bvh = Bvh(boxes);
+    world.neighbors = touchingObjects(scene, world);
+    world.hasStraightGlass = hasStraightGlass(scene.materials) || !world.neighbors.empty();
+    world.indicesFromMedia = hasPriorities(scene.materials) || !world.neighbors.empty();
+    StartMedia start = startMedia(scene, world);
+    world.cameraMedia = start.camera;
+    for (std::size_t i = 0; i < world.lights.size(); ++i) {
+        world.lights[i].media = start.lights.at(i);
+    }
     return world;
 }
 
@@ -196,6 +208,10 @@ std::optional<Hit> traceClosest(const World& world, const Ray& ray) {
         return true;
     });
     return nearest;
+}
+
+std::optional<Hit> traceObject(const World& world, std::uint32_t object, const Ray& ray) {
+    return intersect(world, object, ray, Wanted::Nearest);
 }
 
 bool traceShadow(const World& world, const glm::dvec3& from, const glm::dvec3& to) {
@@ -228,6 +244,10 @@ Surface evaluateSurface(const World& world, const Ray& ray, const Hit& hit) {
         surface.material = &world.materials.at(*material);
     }
     return surface;
+}
+
+std::size_t materialNumber(const World& world, const Surface& surface) {
+    return static_cast<std::size_t>(surface.material - world.materials.data());
 }
 
 bool isInside(const World& world, std::uint32_t object, const glm::dvec3& point) {

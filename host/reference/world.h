@@ -6,6 +6,7 @@
 #include "geometry/light_tree.h"
 #include "reference/camera/camera.h"
 #include "reference/lights/lights.h"
+#include "reference/media/touching_objects.h"
 #include "reference/shapes/bvh.h"
 #include "reference/shapes/csg.h"
 #include "reference/shapes/geometry.h"
@@ -24,8 +25,10 @@ using Geometry = std::variant<Solid, Quad, Disk, CsgTree>;
 
 struct World {
     CameraFrame camera;
+    Media cameraMedia; // around the lens
     RenderSettings render;
     CameraPathRules cameraPaths;         // of render.integrator
+    bool hasStraightGlass = false;       // see lights/shadow.h
     double sceneRadius = 0;              // of the sphere around all bounded objects [m]
     double globalRadius = 0;             // photonmap: largest search radius for the global map [m]
     double causticRadius = 0;            // photonmap: the same for the caustic map [m]
@@ -37,6 +40,8 @@ struct World {
     std::vector<Geometry> geometry; // per object
     std::vector<Light> lights;
     LightTree lightTree;
+    Neighbors neighbors;                  // see media/touching_objects.h
+    bool indicesFromMedia = false;        // a dielectric's index depends on the media on its sides
     std::vector<std::uint32_t> bounded;   // the objects in the tree
     std::vector<std::uint32_t> unbounded; // infinite objects, tested one by one
     Bvh bvh;
@@ -60,6 +65,9 @@ struct Hit {
 // The nearest hit with 0 < t <= tMax; of equally near hits, that of the first object, then of the first triangle.
 [[nodiscard]] std::optional<Hit> traceClosest(const World& world, const Ray& ray);
 
+// The ray's nearest hit on one object.
+[[nodiscard]] std::optional<Hit> traceObject(const World& world, std::uint32_t object, const Ray& ray);
+
 // True if the open segment between two points, both moved off their surfaces, is unoccluded.
 [[nodiscard]] bool traceShadow(const World& world, const glm::dvec3& from, const glm::dvec3& to);
 
@@ -75,6 +83,8 @@ struct Surface {
     glm::dvec3 emission{0};             // radiance towards the ray's origin [W/(m^2 sr)]
     const Quad* quad = nullptr;         // of the world: the parallelogram under this point; nullptr: another shape
 };
+// The index of its material in World::materials; it must have one.
+[[nodiscard]] std::size_t materialNumber(const World& world, const Surface& surface);
 [[nodiscard]] Surface evaluateSurface(const World& world, const Ray& ray, const Hit& hit);
 
 // True if the point is inside the object; always false for quads, disks and open quadrics.

@@ -14,10 +14,13 @@ uint dielectricFlags(MaterialRecord material) {
 }
 
 Lobe dielectricLobe(MaterialRecord material, bool front) {
+    if (isThin(material)) {
+        return Lobe(material, 1.0, 0.0, true, false);
+    }
     return Lobe(material, front ? 1.0 / material.ior : material.ior, dielectricAlpha(material), true, false);
 }
 
 vec3 dielectricReflectance(Lobe lobe, float cosine) {
-    return vec3(meetInterface(cosine, lobe.eta).reflectance);
+    return vec3(meetLobe(lobe, cosine).reflectance);
 }
 #endif

@@ -17,6 +17,9 @@ struct Interface {
 
 // Fresnel's equations for cosIncident = -d . n >= 0.
 Interface meetInterface(float cosIncident, float eta) {
+    if (eta == 1.0) {
+        return Interface(0.0, cosIncident, 1.0);
+    }
     // 1 - eta^2 (1 - cos^2), in a form that stays accurate near grazing incidence
     float cosSquared = 1.0 - eta * eta * (1.0 - cosIncident) * (1.0 + cosIncident);
     if (cosSquared <= 0.0) {

@@ -18,7 +18,7 @@ BsdfSample sampleSmooth(Lobe lobe, vec3 normal, vec3 wo, float choice, uint tran
     float cosOut = clamp(dot(wo, normal), 0.0, 1.0); // a smoothed normal may face away
     vec3 reflection = reflected(-wo, normal);
     if (lobe.transmits) {
-        Interface i = meetInterface(cosOut, lobe.eta);
+        Interface i = meetLobe(lobe, cosOut);
         if (choice >= i.reflectance) {
             return BsdfSample(refracted(-wo, normal, cosOut, i), vec3(refractionFactor(lobe, transport)), 0.0, true);
         }

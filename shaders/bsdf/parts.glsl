@@ -4,6 +4,8 @@
 #define HYALITE_PARTS_GLSL
 #include "shared/limits.h"
 #include "shared/materials.h"
+#include "bsdf/interface.glsl"
+#include "bsdf/medium.glsl"
 #include "lib/math.glsl"
 #include "lib/specialization.glsl"
 
@@ -48,6 +50,16 @@ float facetAlpha(float roughness) {
 
 uint lobeFlag(float roughness) {
     return facetAlpha(roughness) > 0.0 ? kBsdfGlossy : kBsdfSpecular;
+}
+
+// Fresnel's equations at a facet of a transmitting lobe. Thin glass: both faces at once and all reflections between them,
+// 2 R / (1 + R), and what is transmitted goes straight on.
+Interface meetLobe(Lobe lobe, float cosIncident) {
+    if (isThin(lobe.material)) {
+        float R = meetInterface(cosIncident, 1.0 / lobe.material.ior).reflectance;
+        return Interface(2.0 * R / (1.0 + R), cosIncident, 1.0);
+    }
+    return meetInterface(cosIncident, lobe.eta);
 }
 
 // The lobe of a surface that does not transmit.

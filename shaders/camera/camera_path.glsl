@@ -47,25 +47,25 @@ vec3 emissionOf(Surface s, LightArray lights, bool every, Ray ray, float distanc
 VisiblePoint visibleAt(Surface s, vec3 wo, CameraPath path, uint depth, float probability) {
     return VisiblePoint(s.position + s.error * s.geometricNormal, depth, s.normal, path.samplerSeed, s.position,
                         leaving(s, false), wo, packUnitVector(s.geometricNormal, 16u), path.beta, path.pixel, s.uv,
-                        s.material, probability);
+                        s.material, probability, path.media);
 }
 
 VisiblePoint noVisiblePoint(CameraPath path) {
     return VisiblePoint(vec3(0.0), 0u, vec3(0.0), path.samplerSeed, vec3(0.0), 0u, vec3(0.0), 0u, vec3(0.0), path.pixel,
-                        vec2(0.0), kNone, 1.0);
+                        vec2(0.0), kNone, 1.0, kNoMedia);
 }
 
 // `result`: index where the point's light is added.
 RoughPoint roughAt(Surface s, Lobe lobe, vec3 wo, CameraPath path, uint depth, uint result) {
     return RoughPoint(s.position, s.error, s.normal, depth, s.geometricNormal, path.samplerSeed, wo, leaving(s, false),
-                      path.beta, result, s.uv, s.material, lobe.isCoat ? 1u : 0u);
+                      path.beta, result, s.uv, s.material, lobe.isCoat ? 1u : 0u, path.media, s.beyond);
 }
 
 // The path after the surface, with its own random sequence if the surface emits two paths.
 CameraPath pathAfter(Surface s, BsdfSample next, CameraPath path, uint samplerSeed) {
     path.beta *= next.weight;
     path.samplerSeed = samplerSeed;
-    path.medium = next.through ? (s.front ? s.material : kNone) : path.medium;
+    path.media = next.through ? s.beyond : path.media;
     path.pdfW = next.pdfW;
     return path;
 }

@@ -30,6 +30,6 @@ NextRay startAtCamera(CameraRecord camera, RenderSeed seed, uint pass, uint pixe
         direction -= onLens / camera.focusDistance;
     }
     return NextRay(Ray(camera.position + onLens, kInfinity, normalize(direction), 0u),
-                   CameraPath(vec3(1.0), pixel, sampler_.seed, kNone, 0.0));
+                   CameraPath(vec3(1.0), pixel, sampler_.seed, camera.media, 0.0));
 }
 #endif

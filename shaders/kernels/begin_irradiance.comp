@@ -25,5 +25,5 @@ void main() {
     vec3 normal = normalize(unpackDirection(photon.surface, kNormalBits));
     args.visiblePoints.at[i] =
         VisiblePoint(photon.position, 1u, normal, 0u, photon.position, 0u, normal, packUnitVector(normal, 16u),
-                     vec3(1.0), i, vec2(0.0), kNone, 1.0);
+                     vec3(1.0), i, vec2(0.0), kNone, 1.0, kNoMedia);
 }

@@ -37,6 +37,6 @@ void main() {
         return;
     }
     args.nextRays.at[id] = Ray(x.position, kInfinity, direction, x.from);
-    args.nextPaths.at[id] = CameraPath(beta / survival, path.pixel, x.samplerSeed, path.medium, cosine * kInvPi);
+    args.nextPaths.at[id] = CameraPath(beta / survival, path.pixel, x.samplerSeed, path.media, cosine * kInvPi);
     args.alive.at[id] = 1u;
 }

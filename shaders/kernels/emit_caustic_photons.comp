@@ -30,5 +30,5 @@ void main() {
     vec3 power = ray.power / (light.pmf * float(args.ofPass));
     bool dark = maxComponent(power) <= 0.0; // the light does not emit in this direction: a ray of zero length
     args.rays.at[i] = Ray(ray.origin, dark ? 0.0 : kInfinity, ray.direction, 0u);
-    args.paths.at[i] = PhotonPath(power, photon, index, kPhotonDirect, kNone);
+    args.paths.at[i] = PhotonPath(power, photon, index, kPhotonDirect, light.media);
 }

@@ -24,5 +24,5 @@ void main() {
     LightRay ray = emitFrom(light, sampleUnit(s, kPhotonOrigin), sampleUnit(s, kPhotonDirection));
     args.rays.at[i] = Ray(startOf(ray), kInfinity, ray.direction, 0u);
     vec3 power = ray.power / (light.pmf * float(args.ofPass));
-    args.paths.at[i] = PhotonPath(power, photon, index, kPhotonDirect, kNone);
+    args.paths.at[i] = PhotonPath(power, photon, index, kPhotonDirect, light.media);
 }

@@ -32,6 +32,8 @@ void main() {
     if (isSome(uvec2(args.sought)) && maxComponent(receiver.f) > 0.0) {
         args.sought.at[x.pixel] = 1u;
     }
+    // Of a path that goes on, other rays find the lights behind glass that have a surface
+    toLight = throughMedia(toLight, args.materials, x.media, args.bounceDepth != 0u && toLight.discrete);
     if (isWorthAsking(toLight)) {
         args.shadowRays.at[i] = toLight.shadow;
         args.contributions.at[i] = toLight.contribution;

@@ -13,6 +13,7 @@
 #include "photons/photon.glsl"
 #include "lib/sampling.glsl"
 #include "shapes/surface.glsl"
+#include "shapes/touching.glsl"
 #include "textures/texture.glsl"
 #include "lib/queue.glsl"
 
@@ -34,7 +35,7 @@ void follow(uint i, Surface s, BsdfSample next, PhotonPath path, vec3 power, uin
     args.nextRays.at[i] = leaveSurface(s, next.direction, next.through);
     path.power = power;
     path.kind = kind;
-    path.medium = next.through ? (s.front ? s.material : kNone) : path.medium;
+    path.media = next.through ? s.beyond : path.media;
     args.nextPaths.at[i] = path;
     args.alive.at[i] = 1u;
 }
@@ -98,14 +99,21 @@ void main() {
     }
     Ray ray = args.rays.at[i];
     Surface s = surfaceAt(ray, hit, args.normals, args.instances);
+    if (mediaNeed(kMediaTouch)) {
+        s = touching(s, path.media, args.materials, args.normals, args.instances);
+    }
     vec3 started = path.power;
-    path.power *= transmittance(args.materials, path.medium, hit.t);
+    path.power *= transmittance(args.materials, path.media, hit.t);
     vec3 lost = started - path.power; // absorbed in glass on the way here
     if (s.material == kNone) {
         account(path, vec3(0.0), started, vec3(0.0), vec3(0.0));
         return;
     }
     MaterialRecord material = texturedMaterial(args.materials.at[s.material], s.position, s.uv);
+    if (!mediaNeed(kMediaTouch)) {
+        s.beyond = mediaBehind(material, s.material, s.front, path.media);
+    }
+    material = amongMedia(args.materials, material, s.front, path.media, s.beyond);
     bool diffuse = hasDiffusePart(material);
     Lobe lobe = lobeOf(material, s.front);
     if (diffuse && isWanted(path.kind) && hasRoom) {

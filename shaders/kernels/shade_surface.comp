@@ -11,6 +11,7 @@
 #include "shared/kernel_arguments.h"
 #include "camera/camera_path.glsl"
 #include "bsdf/medium.glsl"
+#include "shapes/touching.glsl"
 #include "textures/texture.glsl"
 #include "lib/queue.glsl"
 
@@ -40,7 +41,7 @@ float reflectionProbability(Interface glass, Surface s, Hit hit, vec3 wo, float 
         return F;
     }
     vec3 reflection = reflected(-wo, s.normal);
-    if (s.front) {
+    if (s.front || glass.eta == 1.0) { // outside, or at thin glass
         return looksAtAny(args.lights, kLightsSought, s.position, reflection) ? max(F, kShareToLight) : F;
     }
     uint type = objectHeader(hit.object).type;
@@ -58,7 +59,7 @@ float reflectionProbability(Interface glass, Surface s, Hit hit, vec3 wo, float 
 // Follows reflection or refraction at smooth glass; the weight is whatever the selection probability does not cancel.
 void takeOneWay(uint i, Surface s, Hit hit, vec3 wo, Lobe lobe, CameraPath path) {
     float cosOut = clamp(dot(wo, s.normal), 0.0, 1.0);
-    Interface glass = meetInterface(cosOut, lobe.eta);
+    Interface glass = meetLobe(lobe, cosOut);
     float probability = reflectionProbability(glass, s, hit, wo, cosOut);
     bool reflects = chosen(path) < probability;
     BsdfSample next = sampleSmooth(lobe, s.normal, wo, reflects ? 0.0 : 1.0, kRadiance);
@@ -122,10 +123,17 @@ void main() {
         emitted = emissionBeyond(args.lights, false, ray, path);
     } else {
         Surface s = surfaceAt(ray, hit, args.normals, args.instances);
-        path.beta *= transmittance(args.materials, path.medium, hit.t);
+        if (mediaNeed(kMediaTouch)) {
+            s = touching(s, path.media, args.materials, args.normals, args.instances);
+        }
+        path.beta *= transmittance(args.materials, path.media, hit.t);
         emitted = emissionOf(s, args.lights, false, ray, hit.t, path);
         if (s.material != kNone) {
             MaterialRecord material = texturedMaterial(args.materials.at[s.material], s.position, s.uv);
+            if (!mediaNeed(kMediaTouch)) {
+                s.beyond = mediaBehind(material, s.material, s.front, path.media);
+            }
+            material = amongMedia(args.materials, material, s.front, path.media, s.beyond);
             scatter(i, s, hit, material, -ray.direction, path, visible);
         }
     }

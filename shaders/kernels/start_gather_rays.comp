@@ -30,6 +30,6 @@ void main() {
     args.rays.at[i] = Ray(x.position, kInfinity, direction, x.from);
     Receiver receiver = receiverAt(x, args.materials);
     vec3 beta = receiver.f * (kPi * incidentFactor(receiver, dot(direction, x.normal))); // f cos / (cos / pi)
-    args.paths.at[i] = CameraPath(beta, x.pixel, sequence, kNone, 0.0);
+    args.paths.at[i] = CameraPath(beta, x.pixel, sequence, x.media, 0.0);
     args.alive.at[i] = 1u;
 }

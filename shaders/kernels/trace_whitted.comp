@@ -17,12 +17,18 @@
 #include "camera/camera_ray.glsl"
 #include "lights/direct_light.glsl"
 #include "bsdf/medium.glsl"
-#include "shapes/scene.glsl"
+#include "lights/shadow.glsl"
+#include "shapes/touching.glsl"
 #include "textures/texture.glsl"
 #include "lib/counter.glsl"
 #include "lib/queue.glsl"
 
 layout(push_constant, scalar) uniform Push { TraceWhittedArguments args; };
+
+// Segments from the camera to the hits of this level.
+uint depth() {
+    return args.depths % kDepthsUnit;
+}
 
 uint children = 0u; // next rays of this path so far
 Receiver receiver;  // at its visible point
@@ -30,7 +36,7 @@ Receiver receiver;  // at its visible point
 void follow(uint i, Surface s, BsdfSample next, CameraPath path, uint samplerSeed) {
     path = pathAfter(s, next, path, samplerSeed);
     float weight = maxComponent(path.beta);
-    if (args.depth < args.maxDepth && weight >= args.minWeight && weight > 0.0) {
+    if (depth() < args.depths / kDepthsUnit && weight >= args.minWeight && weight > 0.0) {
         uint slot = 2u * i + children;
         args.nextRays.at[slot] = leaveSurface(s, next.direction, next.through);
         args.nextPaths.at[slot] = path;
@@ -40,7 +46,7 @@ void follow(uint i, Surface s, BsdfSample next, CameraPath path, uint samplerSee
 
 void splitAtGlass(uint i, Surface s, vec3 wo, Lobe lobe, CameraPath path) {
     float cosOut = clamp(dot(wo, s.normal), 0.0, 1.0);
-    float reflectance = meetInterface(cosOut, lobe.eta).reflectance;
+    float reflectance = meetLobe(lobe, cosOut).reflectance;
     BsdfSample next = sampleSmooth(lobe, s.normal, wo, 0.0, kRadiance);
     next.weight *= reflectance;
     follow(i, s, next, path, deriveSequence(path.samplerSeed, 1u));
@@ -57,10 +63,10 @@ void leaveByLobe(uint i, Surface s, vec3 wo, Lobe lobe, CameraPath path, uint re
     float choice = 0.0; // between reflection and refraction at rough glass
     if (sceneHasRoughLobes() && lobe.alpha > 0.0) {
         Sampler numbers = pathSampler(path.samplerSeed, args.pass);
-        u = sampleUnit(numbers, cameraBounce(args.depth - 1u));
-        choice = sampleUnit(numbers, cameraScatter(args.depth - 1u)).x;
-        if (args.depth < args.maxDepth) {
-            args.roughPoints.at[i] = roughAt(s, lobe, wo, path, args.depth, result);
+        u = sampleUnit(numbers, cameraBounce(depth() - 1u));
+        choice = sampleUnit(numbers, cameraScatter(depth() - 1u)).x;
+        if (depth() < args.depths / kDepthsUnit) {
+            args.roughPoints.at[i] = roughAt(s, lobe, wo, path, depth(), result);
         }
     }
     follow(i, s, sampleLobe(lobe, s.normal, s.geometricNormal, wo, u, choice, kRadiance), path, path.samplerSeed);
@@ -76,14 +82,14 @@ void scatter(uint i, Surface s, MaterialRecord material, vec3 wo, CameraPath pat
     float cosOut = clamp(dot(wo, s.normal), 0.0, 1.0);
     float probability = lobeProbability(material, lobe, cosOut);
     if (probability < 1.0) {
-        visible = visibleAt(s, wo, path, args.depth, 1.0);
+        visible = visibleAt(s, wo, path, depth(), 1.0);
         receiver = receiverOf(visible, material);
     }
     if (probability > 0.0) {
         if (isCoated(material)) { // it follows one of two lobes
             float ofLobe;
             Sampler numbers = pathSampler(path.samplerSeed, args.pass);
-            lobe = pickLobe(lobe, cosOut, sampleUnit(numbers, cameraScatter(args.depth - 1u)).x, ofLobe);
+            lobe = pickLobe(lobe, cosOut, sampleUnit(numbers, cameraScatter(depth() - 1u)).x, ofLobe);
             path.beta /= ofLobe;
         }
         leaveByLobe(i, s, wo, lobe, path, result);
@@ -96,11 +102,11 @@ vec3 lightOn(VisiblePoint x) {
     uint rays = 0u;
     for (uint index = 0u; index < args.lightCount; ++index) {
         DirectLight toLight = directLight(args.lights.at[index], 1.0, x, receiver, false, lightSampler(x.samplerSeed, index, args.pass));
+        toLight = throughMedia(toLight, args.materials, x.media, true);
         if (isWorthAsking(toLight)) {
             ++rays;
-            if (traceScene(args.rootNode, toLight.shadow, true).object == kNone) {
-                sum += toLight.contribution;
-            }
+            sum += toLight.contribution * lightPassing(args.rootNode, toLight.shadow, x.media, args.materials,
+                                                       args.normals, args.instances);
         }
     }
     countAll(args.rayCount, rays);
@@ -135,10 +141,17 @@ void main() {
         emitted = emissionBeyond(args.lights, true, ray, path);
     } else {
         Surface s = surfaceAt(ray, hit, args.normals, args.instances);
-        path.beta *= transmittance(args.materials, path.medium, hit.t);
+        if (mediaNeed(kMediaTouch)) {
+            s = touching(s, path.media, args.materials, args.normals, args.instances);
+        }
+        path.beta *= transmittance(args.materials, path.media, hit.t);
         emitted = emissionOf(s, args.lights, true, ray, hit.t, path);
         if (s.material != kNone) {
             MaterialRecord material = texturedMaterial(args.materials.at[s.material], s.position, s.uv);
+            if (!mediaNeed(kMediaTouch)) {
+                s.beyond = mediaBehind(material, s.material, s.front, path.media);
+            }
+            material = amongMedia(args.materials, material, s.front, path.media, s.beyond);
             scatter(i, s, material, -ray.direction, path, result, visible);
         }
     }

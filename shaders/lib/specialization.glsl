@@ -2,6 +2,7 @@
 #ifndef HYALITE_SPECIALIZATION_GLSL
 #define HYALITE_SPECIALIZATION_GLSL
 #include "shared/limits.h"
+#include "shared/media.h"
 #include "shared/scene_records.h"
 
 // Bit kShape… is set for every type of shape in the scene, leaves of CSG included.
@@ -35,6 +36,12 @@ layout(constant_id = 11) const uint kLightTypes = 0xffffffffu;
 // 0: the scene has one light, which every pick takes.
 layout(constant_id = 12) const uint kManyLights = 1u;
 
+// Bits of an entry in a list of media (media.h).
+layout(constant_id = 13) const uint kMediumBits = 8u;
+
+// kMedia… bits: what the dielectrics of the scene need.
+layout(constant_id = 14) const uint kMediaNeeds = 0xffffffffu;
+
 bool sceneHas(uint shape) {
     return ((kShapeTypes >> shape) & 1u) != 0u;
 }
@@ -49,6 +56,10 @@ bool sceneHasRoughLobes() {
 
 bool isMaterial(uint type, uint material) {
     return ((kMaterialTypes >> material) & 1u) != 0u && type == material;
+}
+
+bool mediaNeed(uint what) {
+    return (kMediaNeeds & what) != 0u;
 }
 
 bool isLight(uint type, uint light) {

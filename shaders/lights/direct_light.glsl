@@ -3,6 +3,7 @@
 #define HYALITE_DIRECT_LIGHT_GLSL
 #include "shared/path_records.h"
 #include "bsdf/bsdf.glsl"
+#include "bsdf/medium.glsl"
 #include "lights/receiver.glsl"
 #include "lights/light.glsl"
 #include "lib/sampling.glsl"
@@ -11,6 +12,7 @@ struct DirectLight {
     Ray shadow;
     vec3 contribution; // radiance [W/(m^2 sr)] if unoccluded; not positive: the light is behind the surface or
                        // touches it
+    bool discrete;     // no other ray can find this light
 };
 
 bool isWorthAsking(DirectLight light) {
@@ -36,7 +38,7 @@ DirectLight directLight(LightRecord light, float pmf, VisiblePoint x, Receiver r
     if (bounces && toLight.pdfW > 0.0) {
         contribution *= powerHeuristic(pmf * toLight.pdfW, max(cosine, 0.0) * kInvPi);
     }
-    return DirectLight(Ray(x.position, toLight.shadowDistance, toLight.shadowDirection, x.from), contribution);
+    return DirectLight(Ray(x.position, toLight.shadowDistance, toLight.shadowDirection, x.from), contribution, toLight.pdfW == 0.0);
 }
 
 // At a rough point: rays sampled from the lobe find the same lights, so multiple importance sampling weights the two by
@@ -55,6 +57,17 @@ DirectLight directLight(LightRecord light, float pmf, RoughPoint x, Lobe lobe, S
         shadow.tMax = length(way);
         shadow.direction = way / shadow.tMax;
     }
-    return DirectLight(shadow, contribution);
+    return DirectLight(shadow, contribution, toLight.pdfW == 0.0);
+}
+
+// The light with absorption by the media around the shadow ray, or, with `passes`, with a shadow ray that passes through
+// thin glass and through dielectrics that do not refract it: shadow.glsl then finds what they absorb.
+DirectLight throughMedia(DirectLight light, MaterialArray materials, uint media, bool passes) {
+    if (mediaNeed(kMediaShadows) && passes) {
+        light.shadow.from |= kRayPasses;
+    } else {
+        light.contribution *= transmittance(materials, media, light.shadow.tMax);
+    }
+    return light;
 }
 #endif

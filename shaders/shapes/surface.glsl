@@ -15,7 +15,8 @@ struct Surface {
     uint object;          // for CSG the solid, not the leaf
     uint material;
     uint light;
-    vec2 uv; // for textures: set if the scene has any
+    vec2 uv;     // for textures: set if the scene has any
+    uint beyond; // media on the other side, see media.h; set by whoever knows those on this side
 };
 
 // Error of positions: on quads and spheres, the position and the next ray's intersection with the surface take a
@@ -191,6 +192,7 @@ Surface surfaceAt(Ray ray, Hit hit, NormalArray normals, InstanceArray instances
         }
         s.normal = outward;
     }
+    s.beyond = kNoMedia;
     s.uv = kTextures != 0u ? textureCoordinates(header.type, hit, outward) : vec2(0.0);
     if (isLeaf) {
         // The hit on the solid, not on this leaf: at an edge the two differ by a place (see csg.glsl). No error: a ray

@@ -52,6 +52,8 @@ struct ShadeSurfaceArguments {
     QueueSizeArray live;
 };
 
+SHARED_CONSTANT kDepthsUnit = 65536u; // two depths in a word
+
 // The `result` of a ray: its pixel if it starts at the camera, else its own number.
 struct TraceWhittedArguments {
     UintArray slots;       // slots of the rays and their paths; null: rays start at the camera, one per pixel
@@ -70,8 +72,8 @@ struct TraceWhittedArguments {
     RenderSeed seed;
     CameraRecord camera;
     uint count;
-    uint depth;    // segments from the camera to these hits
-    uint maxDepth; // no next ray from here on
+    uint depths; // segments from the camera to these hits, plus kDepthsUnit times the depth from which no next ray
+                 // starts
     uint pass;
     float minWeight; // a next ray whose throughput is below this in every channel is not followed
     uint lightCount;
@@ -95,8 +97,10 @@ struct SampleRoughLightsArguments {
     uint pass;
     uint rootNode;
     QueueSizeArray live;
-    UintArray rayCount; // in and out: shadow rays traced, 64 bits; see lib/counter.glsl
-    UintArray sought;   // in and out, at RoughPoint.result: 1 where light was sought; null: not noted
+    UintArray rayCount;  // in and out: shadow rays traced, 64 bits; see lib/counter.glsl
+    UintArray sought;    // in and out, at RoughPoint.result: 1 where light was sought; null: not noted
+    NormalArray normals; // read in scenes where shadow rays may pass
+    InstanceArray instances;
 };
 
 struct SampleLightsArguments {
@@ -140,8 +144,12 @@ struct TraceShadowArguments {
     uint rootNode;
     uint width; // of the picture if the threads are its pixels [pixels], see pixelOfThread; else 0
     QueueSizeArray live;
-    UintArray rayCount;    // in and out: shadow rays traced, 64 bits; see lib/counter.glsl
-    CameraPathArray paths; // paths of the shadow rays, whose pixels get the light; null: one pixel per ray
+    UintArray rayCount;              // in and out: shadow rays traced, 64 bits; see lib/counter.glsl
+    CameraPathArray paths;           // paths of the shadow rays, whose pixels get the light; null: one pixel per ray
+    VisiblePointArray visiblePoints; // by pixel: where the shadow rays start; read in scenes where some may pass
+    MaterialArray materials;
+    NormalArray normals;
+    InstanceArray instances;
 };
 
 struct EmitPhotonsArguments {

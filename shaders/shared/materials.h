@@ -65,14 +65,16 @@ struct MaterialRecord {
     Color color; // diffuse: albedo; mirror: reflectance; metallic-roughness, clear coat: base colour; each in [0, 1]
     Color eta;   // conductor: index of refraction, real part
     Color k;     // conductor: likewise, imaginary part
-    Color absorption;      // dielectric: coefficient inside [1/m]
-    Scalar ior;            // dielectric: index inside over outside, > 0
-    Scalar roughness;      // 0: smooth; else the alpha of the GGX distribution is its square
-    Scalar metallic;       // metallic-roughness, clear coat: 0 dielectric, 1 metal
-    Scalar coat;           // clear coat: share of the surface that it covers, [0, 1]
+    Color absorption; // dielectric: coefficient inside [1/m]
+    Scalar ior;       // dielectric: index inside over that of the medium around, > 0; with a priority, over vacuum's
+    Scalar roughness; // 0: smooth; else the alpha of the GGX distribution is its square
+    Scalar metallic;  // metallic-roughness, clear coat: 0 dielectric, 1 metal
+    Scalar coat;      // clear coat: share of the surface that it covers, [0, 1]
     Scalar coatRoughness;  // likewise: as roughness, of the coat
     Scalar coatIor;        // likewise: index of the coat over that outside, >= 1
     Vector4 parameters;    // custom: parameters of its function
+    uint priority;         // dielectric: of its volume over others, 1 …; 0: none, it is nested where it is entered
+    uint thin;             // dielectric: 1: both faces of a pane at once
     uint function;         // custom: number of its function among the scene's
     uint colorTexture;     // multiplies `color`; kNone: none
     uint roughnessTexture; // green multiplies roughness, blue metallic; kNone: none

@@ -2,6 +2,7 @@
 #ifndef HYALITE_SHARED_PATH_RECORDS_H
 #define HYALITE_SHARED_PATH_RECORDS_H
 #include "language.h"
+#include "media.h"
 SHARED_BEGIN
 
 struct Ray {
@@ -15,6 +16,8 @@ DEVICE_ARRAY(Ray, RayArray);
 // The ray's knowledge of the object it leaves decides where rounding cannot: at an edge, a point moved off one surface
 // by its error may still be on the wrong side of the other.
 SHARED_CONSTANT kRayInside = 0x80000000u;
+// Added to a shadow ray's `from`: it passes through thin glass and through dielectrics that do not refract it.
+SHARED_CONSTANT kRayPasses = 0x40000000u;
 
 struct Hit {
     float t;        // distance along the ray [m]
@@ -31,7 +34,7 @@ struct CameraPath {
     vec3 beta;        // throughput: contribution to the pixel of one unit of radiance along the present ray
     uint pixel;       // y * width + x, row 0 on top
     uint samplerSeed; // see pathSampler
-    uint medium;      // the dielectric material that it is inside; kNone: none
+    uint media;       // around the present ray, see media.h
     float pdfW;       // density of its present direction [1/sr]; 0: sampled by the lens or a specular surface, or
                       // no light was sampled where the direction was
 };
@@ -53,6 +56,7 @@ struct VisiblePoint {
     vec2 uv;           // texture coordinates
     uint material;     // kNone: none, the estimate is an irradiance
     float probability; // of taking the diffuse part here: not divided out of beta
+    uint media;        // on this side, see media.h
 };
 DEVICE_ARRAY(VisiblePoint, VisiblePointArray);
 
@@ -71,6 +75,8 @@ struct RoughPoint {
     vec2 uv;     // texture coordinates
     uint material;
     uint isCoat; // 1: it left by the material's coat, 0: by its other lobe
+    uint media;  // on the side the path came from, see media.h
+    uint beyond; // media on the other side
 };
 DEVICE_ARRAY(RoughPoint, RoughPointArray);
 
@@ -80,7 +86,7 @@ struct PhotonPath {
     uint photon; // number of the photon in its pass
     uint light;  // the light that emitted it
     uint kind;   // kind of the photon it would store on a diffuse surface: kPhoton…
-    uint medium; // the dielectric material that it is inside; kNone: none
+    uint media;  // around the present ray, see media.h
 };
 DEVICE_ARRAY(PhotonPath, PhotonPathArray);
 

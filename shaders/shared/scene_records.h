@@ -16,6 +16,7 @@ struct CameraRecord {
     uint height;         // [pixels]
     float lensRadius;    // [m]; 0: a pinhole
     float focusDistance; // from the lens to the plane in focus [m]
+    uint media;          // around the lens, see media.h
 };
 
 // A triangle of an emitting mesh; its area is positive.
@@ -87,6 +88,7 @@ struct LightRecord {
     RadianceArray texels;          // environment: row by row, the upper one first
     LightHierarchyArray hierarchy; // one, of all lights
     uint node;                     // this light's, in the hierarchy
+    uint media;                    // around it, where its photons start, see media.h
 };
 DEVICE_ARRAY(LightRecord, LightArray);
 
@@ -159,11 +161,16 @@ SHARED_CONSTANT kTextureCheckerWorld = 1u;
 SHARED_CONSTANT kTextureCheckerUv = 2u;
 SHARED_CONSTANT kTextureCustom = 3u; // see textures/custom_texture.glsl
 
+DEVICE_ARRAY(uint, NeighborArray);
+
 // Data for surface evaluation beyond an object's texels; one per object.
 struct InstanceRecord {
     vec4 row0; // rows of the 3x4 matrix from object to world space; the identity for shapes in world space
     vec4 row1;
     vec4 row2;
+    NeighborArray neighbors; // objects that it touches, itself among them, the larger ones first: two words each, the
+                             // object and, as bits, the largest coordinate of the smaller of the two [m]
+    uint neighborCount;      // 0 unless it or one of them is a dielectric
 };
 DEVICE_ARRAY(InstanceRecord, InstanceArray);
 

@@ -166,10 +166,10 @@ TEST_CASE("no light occludes itself, however near the origin it is and however f
                                                {}},
                  count);
         const auto direct = both.upload(std::vector<vec3>(count, vec3(0)));
-        both.run(
-            "trace_shadow",
-            shared::TraceShadowArguments{rays, contributions, direct, count, both.deviceScene.rootNode, 0, {}, {}, {}},
-            count);
+        both.run("trace_shadow",
+                 shared::TraceShadowArguments{
+                     rays, contributions, direct, count, both.deviceScene.rootNode, 0, {}, {}, {}, {}, {}, {}, {}},
+                 count);
         std::size_t sent = 0;
         std::size_t blocked = 0;
         std::size_t blockedInReference = 0;

@@ -3,16 +3,21 @@
 #include "kernel/visible_points.h"
 #include "reference/integrators/shading.h"
 #include "reference/photons/photons.h"
+#include "render/upload/media_word.h"
 
 namespace hyalite::testing {
 
 namespace {
 
-constexpr std::size_t kGlass = 4; // of the Cornell box
+constexpr std::uint32_t kGlass = 4; // of the Cornell box
 
 // Every second path runs in the glass.
-std::uint32_t mediumOf(std::size_t i) {
-    return i % 2 == 0 ? static_cast<std::uint32_t>(kGlass) : shared::kNone;
+std::uint32_t mediaOf(const Scene& scene, std::size_t i) {
+    reference::Media media;
+    if (i % 2 == 0) {
+        media.enter(kGlass);
+    }
+    return render::mediaWord(scene, media);
 }
 
 Scene absorbingBox() {
@@ -43,11 +48,36 @@ Bundle bundle(BothSides& both, std::uint32_t count) {
     return b;
 }
 
-const Material* materialOf(const BothSides& both, std::uint32_t medium) {
-    return medium == shared::kNone ? nullptr : &both.world.materials[medium];
+reference::Media listOf(const BothSides& both, std::uint32_t word) {
+    return render::mediaOfWord(both.scene, word);
 }
 
 } // namespace
+
+TEST_CASE("a word keeps the same list of media as the reference, whatever is entered and left") {
+    Scene scene;
+    scene.materials.resize(5); // 3 bits each: room for 10
+    const std::uint32_t bits = shared::mediumBits(5);
+    CHECK(bits == 3);
+    CHECK(shared::mediumBits(7) == 3);
+    CHECK(shared::mediumBits(8) == 4); // 1111 marks an empty entry
+    CHECK(shared::mediaCapacity(bits) == 10);
+    reference::Media list;
+    std::uint32_t word = shared::kNoMedia;
+    for (std::uint32_t i = 0; i < 10000; ++i) {
+        const std::uint32_t number = shared::hash(i);
+        const std::uint32_t material = number % 5;
+        if ((number >> 8) % 2 == 0 && list.list().size() < 10) {
+            list.enter(material);
+            word = shared::enterMedium(word, material, bits);
+        } else {
+            list.leave(material);
+            word = shared::leaveMedium(word, material, bits);
+        }
+        REQUIRE(render::mediaWord(scene, list) == word);
+        REQUIRE(render::mediaOfWord(scene, word) == list);
+    }
+}
 
 TEST_CASE("camera paths are absorbed in glass as in the reference, enter it at its front and leave it at its back") {
     Scene scene = absorbingBox();
@@ -58,7 +88,7 @@ TEST_CASE("camera paths are absorbed in glass as in the reference, enter it at i
     const Bundle b = bundle(both, count);
     std::vector<shared::CameraPath> paths;
     for (std::uint32_t i = 0; i < count; ++i) {
-        paths.push_back({vec3(0.5, 0.25, 1), i, i, mediumOf(i), 0});
+        paths.push_back({vec3(0.5, 0.25, 1), i, i, mediaOf(both.scene, i), 0});
     }
     const Bounce bounce = shade(both, b.rays, paths, 1, 0, Ways::All);
     std::size_t inGlass = 0;
@@ -68,7 +98,7 @@ TEST_CASE("camera paths are absorbed in glass as in the reference, enter it at i
         if (!hit || hit->object != both.sceneObject(b.hits.host()[i].object)) {
             continue;
         }
-        const reference::CameraPath path{dvec3(paths[i].beta), i, materialOf(both, mediumOf(i))};
+        const reference::CameraPath path{dvec3(paths[i].beta), i, listOf(both, mediaOf(both.scene, i))};
         const auto expected = reference::shadeSurface(both.world, ray, *hit, path, 1, 0);
         CHECK(distance(bounce.emitted.host()[i], expected.emitted) < 1e-5);
         if (expected.visible) {
@@ -80,11 +110,11 @@ TEST_CASE("camera paths are absorbed in glass as in the reference, enter it at i
         REQUIRE(bounce.alive.host()[i] == ways.size());
         for (std::size_t way = 0; way < ways.size(); ++way) {
             const shared::CameraPath& actual = bounce.nextPaths.host()[bounce.slot(i, way)];
-            CHECK(materialOf(both, actual.medium) == ways[way].path.medium);
+            CHECK(listOf(both, actual.media) == ways[way].path.media);
             const dvec3 normal = reference::evaluateSurface(both.world, ray, *hit).normal;
             const double condition = conditioning(ray.direction, ways[way].ray.direction, normal);
             CHECK(distance(actual.beta, ways[way].path.beta) * condition < 2e-5);
-            inGlass += actual.medium == kGlass ? 1 : 0;
+            inGlass += actual.media == mediaOf(both.scene, 0) ? 1 : 0;
         }
     }
     CHECK(inGlass >
@@ -105,7 +135,7 @@ TEST_CASE("the kernels' exponential is accurate to a few roundings wherever it i
     for (std::uint32_t i = 0; i < count; ++i) {
         rays.push_back({vec3(0, 0, static_cast<float>(i + 1) / 8), 3e38F, vec3(0, 0, -1), 0});
     }
-    const std::vector<shared::CameraPath> paths(count, {vec3(1), 0, 0, static_cast<shared::uint>(kGlass), 0});
+    const std::vector<shared::CameraPath> paths(count, {vec3(1), 0, 0, mediaOf(both.scene, 0), 0});
     const Bounce bounce = shade(both, rays, paths, 1, 0, Ways::All);
     for (std::uint32_t i = 0; i < count; ++i) {
         const double t = (i + 1) / 8.0;
@@ -120,7 +150,7 @@ TEST_CASE("photons are absorbed in glass as in the reference, and their flux acc
     const Bundle b = bundle(both, count);
     std::vector<shared::PhotonPath> paths;
     for (std::uint32_t i = 0; i < count; ++i) {
-        paths.push_back({vec3(3, 2, 1), i, 4, shared::kPhotonIndirect, mediumOf(i)});
+        paths.push_back({vec3(3, 2, 1), i, 4, shared::kPhotonIndirect, mediaOf(both.scene, i)});
     }
     const auto devicePaths = both.upload(paths);
     const auto photons = both.room<shared::Photon>(count);
@@ -163,14 +193,14 @@ TEST_CASE("photons are absorbed in glass as in the reference, and their flux acc
             continue;
         }
         const reference::PhotonPath path{dvec3(paths[i].power), i, 4, reference::PhotonKind::Indirect,
-                                         materialOf(both, mediumOf(i))};
+                                         listOf(both, mediaOf(both.scene, i))};
         const auto expected = reference::scatterPhoton(both.world, ray, *hit, path, 2, pass);
         if (expected.stored) {
             CHECK(distance(photons.host()[i].power, expected.stored->power) < 2e-5); // as above, of 3 W
         }
         const shared::PhotonPath& actual = nextPaths.host()[i];
         if ((alive.host()[i] != 0) != expected.next.has_value() ||
-            (expected.next && materialOf(both, actual.medium) != expected.path.medium)) {
+            (expected.next && listOf(both, actual.media) != expected.path.media)) {
             ++coins; // the random number and the threshold agree to rounding
         } else if (expected.next) {
             CHECK(distance(actual.power, expected.path.power) < 2e-5);

@@ -82,7 +82,7 @@ TEST_CASE("paths bounce off diffuse surfaces as in the reference") {
         CHECK(glm::distance(dvec3(path.beta), expected->path.beta) < 1e-4 * glm::length(expected->path.beta));
         CHECK(std::abs(path.pdfW - expected->path.pdfW) < 1e-5);
         CHECK(path.pixel == paths[i].pixel);
-        CHECK(path.medium == paths[i].medium);
+        CHECK(path.media == paths[i].media);
     }
     CHECK(coins <= 3);
     CHECK(bounced > kPoints / 10);

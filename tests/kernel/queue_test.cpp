@@ -71,7 +71,7 @@ TEST_CASE("compaction keeps the paths that go on, in their order, and counts the
             for (std::uint32_t i = 0; i < kept.size(); ++i) {
                 rays[i].tMax = static_cast<float>(kept[i]);
                 cameraPaths[i].pixel = kept[i];
-                photonPaths[i].medium = kept[i];
+                photonPaths[i].media = kept[i];
                 alive[i] = every > 1 && shared::hash(kept[i]) % every == 0 ? 1 : 0;
                 if (alive[i] != 0) {
                     next.push_back(kept[i]);
@@ -95,7 +95,7 @@ TEST_CASE("compaction keeps the paths that go on, in their order, and counts the
             for (std::size_t i = 0; i < next.size(); ++i) {
                 REQUIRE(outRays[i].tMax == static_cast<float>(next[i]));
                 REQUIRE(outCamera[i].pixel == next[i]);
-                REQUIRE(outPhoton[i].medium == next[i]);
+                REQUIRE(outPhoton[i].media == next[i]);
             }
             kept = next;
         }

@@ -33,7 +33,7 @@ struct RoughBounce {
             const reference::Ray ray = toReference(rays[i]);
             const auto hit = reference::traceClosest(both.world, ray);
             if (hit && hit->object == both.sceneObject(device->hits.host()[i].object)) {
-                const reference::CameraPath path{dvec3(paths[i].beta), paths[i].samplerSeed, nullptr, paths[i].pdfW};
+                const reference::CameraPath path{dvec3(paths[i].beta), paths[i].samplerSeed, {}, paths[i].pdfW};
                 expected[i] = reference::shadeSurface(both.world, ray, *hit, path, 1, 3);
             }
         }
@@ -123,7 +123,9 @@ TEST_CASE("rough points get the light of the reference's samples") {
                                                       b.both.deviceScene.rootNode,
                                                       {},
                                                       {},
-                                                      {}},
+                                                      {},
+                                                      b.both.deviceScene.normals,
+                                                      b.both.deviceScene.instances},
                    count);
         const auto one = light == shared::kNone ? std::nullopt : std::optional<std::uint32_t>(light);
         std::size_t lit = 0;

@@ -135,10 +135,11 @@ TEST_CASE("shadow rays are blocked where they are in the reference") {
     const auto deviceRays = both.upload(rays);
     const auto contributions = both.upload(std::vector<vec3>(count + 1, vec3(1, 2, 3)));
     const auto direct = both.upload(std::vector<vec3>(count + 1, vec3(10)));
-    both.run("trace_shadow",
-             shared::TraceShadowArguments{
-                 deviceRays, contributions, direct, count + 1, both.deviceScene.rootNode, 13, {}, {}, {}},
-             count + 1);
+    both.run(
+        "trace_shadow",
+        shared::TraceShadowArguments{
+            deviceRays, contributions, direct, count + 1, both.deviceScene.rootNode, 13, {}, {}, {}, {}, {}, {}, {}},
+        count + 1);
     std::size_t different = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
         const vec3 expected = visible[i] ? vec3(11, 12, 13) : vec3(10);

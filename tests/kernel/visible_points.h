@@ -33,7 +33,7 @@ struct PointMade {
 
     operator shared::VisiblePoint() const {
         return {position,        depth, normal, samplerSeed, position, from, normal,
-                geometricNormal, beta,  pixel,  {},          material, 1.0F};
+                geometricNormal, beta,  pixel,  {},          material, 1.0F, shared::kNoMedia};
     }
 };
 

@@ -96,7 +96,11 @@ ObjectRecord record(const MeshInstance& instance, ObjectTables& tables) {
     for (int i = 0; i < 3; ++i) {
         r.texels[static_cast<std::size_t>(i)] = row(toObject, i);
     }
-    r.instance = {row(instance.objectToWorld, 0), row(instance.objectToWorld, 1), row(instance.objectToWorld, 2)};
+    r.instance = {.row0 = row(instance.objectToWorld, 0),
+                  .row1 = row(instance.objectToWorld, 1),
+                  .row2 = row(instance.objectToWorld, 2),
+                  .neighbors = {},
+                  .neighborCount = 0};
     return r;
 }
 

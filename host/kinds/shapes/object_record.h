@@ -14,7 +14,7 @@ namespace hyalite::kinds {
 
 struct ObjectRecord {
     std::array<glm::vec4, shared::kTexelsPerObject> texels{}; // without the header, which the table writes
-    shared::InstanceRecord instance{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+    shared::InstanceRecord instance{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {}, 0};
     std::uint32_t type = 0; // with flags
     std::uint32_t root = 0;
 };

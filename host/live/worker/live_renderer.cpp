@@ -145,7 +145,7 @@ std::unique_ptr<LiveRenderer::Run> LiveRenderer::makeRun(Scene scene, std::optio
     auto run = std::make_unique<Run>();
     run->scene = std::move(scene);
     run->isPreview = isPreview;
-    loaded_->device.camera = render::cameraRecord(run->scene.camera);
+    loaded_->device.camera = render::cameraRecord(run->scene);
     const render::IntegratorKind& kind = render::integratorKind(run->scene);
     run->film.emplace(device_, run->scene.camera.resolution,
                       quantity ? render::DebugView::layers() : kind.layers(run->scene.render));
@@ -245,7 +245,7 @@ parity::RecordedPath LiveRenderer::inspect(std::uint32_t pixel) {
     const Activity activity(pulse_, kBetweenKernels);
     prints_.listen(false, shared::kNone);
     const DispatchGuard::Uninterrupted scope(guard_);
-    loaded_->device.camera = render::cameraRecord(scene_.camera);
+    loaded_->device.camera = render::cameraRecord(scene_);
     return parity::InspectionSession(device_, scene_, loaded_->device).followPixel(pixel, 0);
 }
 

@@ -52,7 +52,7 @@ void compareBouncePaths(const Stage& stage) {
             if (next) {
                 answer.exact(kBounceFields.seed, next->path.samplerSeed);
                 answer.exact(kBounceFields.pixel, pixel);
-                answer.exact(kBounceFields.medium, sides.numberOf(next->path.medium));
+                answer.exact(kBounceFields.medium, sides.numberOf(next->path.media));
                 answer.exact(kBounceFields.leaves, from);
                 answer.vector(kBounceFields.origin, next->ray.origin);
                 answer.vector(kBounceFields.direction, next->ray.direction);

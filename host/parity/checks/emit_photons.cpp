@@ -30,7 +30,7 @@ Answer emissionAnswer(const Sides& sides, const reference::PhotonPath& path, con
     answer.exact(kEmission.light, path.light);
     answer.exact(kEmission.photon, path.photon);
     answer.exact(kEmission.kind, static_cast<std::uint64_t>(path.kind));
-    answer.exact(kEmission.medium, sides.numberOf(path.medium));
+    answer.exact(kEmission.medium, sides.numberOf(path.media));
     answer.exact(kEmission.shines, largestComponent(path.power) > 0 && ray.tMax > 0 ? 1 : 0);
     answer.vector(kEmission.origin, ray.origin);
     answer.vector(kEmission.direction, ray.direction);
@@ -45,7 +45,11 @@ void compareEmission(const Stage& stage, std::span<const shared::Ray> rays, std:
         const std::uint32_t photon = first + i;
         stage.compare(i, emissionAnswer(sides, sides.toTwin(paths[i]), sides.toTwin(rays[i])), [&](Nudge nudge) {
             const reference::Emission emission = reference::emitPhoton(sides.world(), photon, pass, nudge.shift());
-            return emissionAnswer(sides, {.power = emission.power, .photon = photon, .light = emission.light},
+            return emissionAnswer(sides,
+                                  {.power = emission.power,
+                                   .photon = photon,
+                                   .light = emission.light,
+                                   .media = sides.world().lights[emission.light].media},
                                   emission.ray);
         });
     }

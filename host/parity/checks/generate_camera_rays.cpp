@@ -28,7 +28,7 @@ void compareCameraRay(const Stage& stage, std::size_t i, std::uint32_t pixel, st
     Answer device;
     device.exact(kCameraRay.pixel, path.pixel);
     device.exact(kCameraRay.seed, path.samplerSeed);
-    device.exact(kCameraRay.medium, path.medium);
+    device.exact(kCameraRay.medium, path.media);
     device.vector(kCameraRay.beta, dvec3(path.beta));
     device.number(kCameraRay.pdfW, double{path.pdfW});
     device.vector(kCameraRay.origin, dvec3(ray.origin));
@@ -39,7 +39,7 @@ void compareCameraRay(const Stage& stage, std::size_t i, std::uint32_t pixel, st
         Answer answer;
         answer.exact(kCameraRay.pixel, pixel);
         answer.exact(kCameraRay.seed, begun.samplerSeed);
-        answer.exact(kCameraRay.medium, stage.sides.numberOf(begun.medium));
+        answer.exact(kCameraRay.medium, stage.sides.numberOf(begun.media));
         answer.vector(kCameraRay.beta, begun.beta);
         answer.number(kCameraRay.pdfW, begun.pdfW);
         answer.vector(kCameraRay.origin, started.origin);

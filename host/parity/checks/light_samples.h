@@ -24,4 +24,13 @@ template <class Sample>
     return !sides.trace({.origin = sample.from, .direction = way / distance, .tMax = distance}, leaves);
 }
 
+// The light that arrives along the sample's ray; `leaves` as above.
+[[nodiscard]] inline glm::dvec3 lightAlong(const Sides& sides, const reference::LightSample& sample,
+                                           std::uint32_t leaves) {
+    if (sample.passes) {
+        return reference::arriving(sides.world(), sample);
+    }
+    return isUnoccluded(sides, sample, leaves) ? sample.contribution : glm::dvec3(0);
+}
+
 } // namespace hyalite::parity

@@ -55,12 +55,11 @@ void compareSampleRoughLights(const Stage& stage) {
                 x.wo = nudge.direction(x.wo);
                 const auto sample =
                     reference::sampleRoughLight(sides.world(), x, args.pass, lightOf(args.light), nudge.shift());
-                bool isSeen = sample.has_value();
-                if (isSeen) {
+                dvec3 light(0);
+                if (sample) {
                     const bool through = glm::dot(sample->to - sample->from, x.surface.geometricNormal) < 0;
-                    isSeen = isUnoccluded(sides, *sample, through ? point.from ^ shared::kRayInside : point.from);
+                    light = lightAlong(sides, *sample, through ? point.from ^ shared::kRayInside : point.from);
                 }
-                const dvec3 light = isSeen ? sample->contribution : dvec3(0);
                 return lightAdded(glm::vec3(before[point.result]) + glm::vec3(light) == before[point.result] ? dvec3(0)
                                                                                                              : light);
             },

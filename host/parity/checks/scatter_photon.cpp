@@ -82,7 +82,7 @@ struct ScatterStage {
         answer.exact(kScatter.nextKind, static_cast<std::uint64_t>(path.kind));
         answer.exact(kScatter.nextPhoton, path.photon);
         answer.exact(kScatter.nextLight, path.light);
-        answer.exact(kScatter.nextMedium, stage.sides.numberOf(path.medium));
+        answer.exact(kScatter.nextMedium, stage.sides.numberOf(path.media));
         answer.vector(kScatter.nextOrigin, ray->origin);
         answer.vector(kScatter.nextDirection, ray->direction);
         answer.vector(kScatter.nextPower, path.power, arriving); // a lobe may pass on only a small share

@@ -43,7 +43,7 @@ void addNext(Answer& answer, const NextFields& fields, const Sides& sides, const
     answer.exact(fields.movedOff,
                  isCsg || side * glm::dot(ray.origin - surface.position, surface.geometricNormal) >= 0 ? 1 : 0);
     answer.exact(fields.seed, path.samplerSeed);
-    answer.exact(fields.medium, sides.numberOf(path.medium));
+    answer.exact(fields.medium, sides.numberOf(path.media));
     answer.vector(fields.origin, ray.origin);
     answer.vector(fields.direction, ray.direction);
     answer.vector(fields.beta, path.beta, slots.arriving);

@@ -80,8 +80,8 @@ struct AtSurface {
     }
 
     AtSurface(const Stage& s, const shared::TraceWhittedArguments& a)
-        : stage(s), args{a.count, a.depth, a.pass}, isTree(true), rays(s.seen.after<shared::Ray>(a.keptRays, a.count)),
-          hits(s.seen.after<shared::Hit>(a.hits, a.count)),
+        : stage(s), args{a.count, a.depths % shared::kDepthsUnit, a.pass}, isTree(true),
+          rays(s.seen.after<shared::Ray>(a.keptRays, a.count)), hits(s.seen.after<shared::Hit>(a.hits, a.count)),
           paths(s.seen.after<shared::CameraPath>(a.keptPaths, a.count)),
           emitted(s.seen.after<glm::vec3>(a.emitted, a.count)),
           visible(s.seen.after<shared::VisiblePoint>(a.visiblePoints, a.count)) {

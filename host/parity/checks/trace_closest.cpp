@@ -48,7 +48,8 @@ void compareClosestHit(const Stage& stage, std::size_t i, const shared::Ray& ray
             twin.origin = nudge.point(twin.origin, sides.scale());
             twin.direction = nudge.direction(twin.direction);
             const std::optional<reference::Hit> met = sides.trace(twin, ray.from);
-            if (!nudge.movesNothing() && sides.areInOnePlace(sides.toTwin(ray), found, met)) {
+            if ((!nudge.movesNothing() || sides.touch(found, met)) &&
+                sides.areInOnePlace(sides.toTwin(ray), found, met)) {
                 return device;
             }
             return answerOf(sides, twin, met);

@@ -1,7 +1,11 @@
 // Shadow rays: adds unoccluded light.
 #include "parity/checks/checks.h"
 
+#include "reference/lights/shadow.h"
+
 #include "shaders/shared/kernel_arguments.h"
+
+#include <algorithm>
 
 namespace hyalite::parity {
 
@@ -20,6 +24,7 @@ void compareTraceShadow(const Stage& stage) {
     const auto rays = stage.seen.before<shared::Ray>(args.shadowRays, args.count);
     const auto contributions = stage.seen.before<glm::vec3>(args.contributions, args.count);
     const auto paths = stage.seen.before<shared::CameraPath>(args.paths, args.count); // none: a pixel per ray
+    const auto points = stage.seen.before<shared::VisiblePoint>(args.visiblePoints, Observed::kWhole);
     const auto allBefore = stage.seen.before<glm::vec3>(args.direct, Observed::kWhole);
     const auto allAfter = stage.seen.after<glm::vec3>(args.direct, Observed::kWhole);
     const Sides& sides = stage.sides;
@@ -35,17 +40,22 @@ void compareTraceShadow(const Stage& stage) {
         stage.compare(
             i, device,
             [&](Nudge nudge) {
-                bool isSeen = isTraced;
-                if (isTraced) {
-                    reference::Ray twin = sides.toTwin(ray);
-                    twin.origin = nudge.point(twin.origin, sides.scale());
-                    twin.direction = nudge.direction(twin.direction);
-                    isSeen = !sides.trace(twin, ray.from);
+                reference::Ray twin = sides.toTwin(ray);
+                twin.origin = nudge.point(twin.origin, sides.scale());
+                twin.direction = nudge.direction(twin.direction);
+                dvec3 light(0);
+                if (isTraced && (ray.from & shared::kRayPasses) != 0) {
+                    const dvec3 end = twin.origin + std::min(twin.tMax, reference::kBeyond) * twin.direction;
+                    light =
+                        dvec3(contributions[i]) * reference::straightTransmittance(sides.world(), twin.origin, end,
+                                                                                   sides.media(points[pixel].media));
+                } else if (isTraced && !sides.trace(twin, ray.from)) {
+                    light = dvec3(contributions[i]);
                 }
                 Answer answer;
                 // A contribution below half an ulp of the sum leaves no trace
-                answer.exact(kShadow.added, isSeen && before + contributions[i] != before ? 1 : 0);
-                answer.vector(kShadow.direct, dvec3(before) + (isSeen ? dvec3(contributions[i]) : dvec3(0)));
+                answer.exact(kShadow.added, before + glm::vec3(light) != before ? 1 : 0);
+                answer.vector(kShadow.direct, dvec3(before) + light);
                 return answer;
             },
             [&] {

@@ -49,8 +49,8 @@ void compareLight(const AtSurface& at, const shared::TraceWhittedArguments& args
                 x.normal = nudge.direction(x.normal);
                 for (std::uint32_t number = 0; number < args.lightCount; ++number) {
                     const auto sample = reference::sampleLight(sides.world(), x, args.pass, number, nudge.shift());
-                    if (sample && isUnoccluded(sides, *sample, point.from)) {
-                        direct += sample->contribution;
+                    if (sample) {
+                        direct += lightAlong(sides, *sample, point.from);
                     }
                 }
             }
@@ -104,8 +104,8 @@ void noteTree(PathRecorder& recorder, const Observed& dispatch) {
     const auto nextRays = dispatch.after<shared::Ray>(args.nextRays, 2 * std::size_t{args.count});
     const auto alive = dispatch.after<shared::uint>(args.alive, args.count);
     for (std::size_t i = 0; i < args.count; ++i) {
-        recorder.addShading({rays[i], hits[i], paths[i], visible[i], nextRays.subspan(2 * i, alive[i])}, args.depth,
-                            args.pass);
+        recorder.addShading({rays[i], hits[i], paths[i], visible[i], nextRays.subspan(2 * i, alive[i])},
+                            args.depths % shared::kDepthsUnit, args.pass);
     }
 }
 

@@ -99,7 +99,7 @@ BsdfSample sampleSmooth(const Lobe& lobe, const glm::dvec3& normal, const glm::d
     const double cosOut = incidentCosine(-wo, normal);
     if (lobe.transmits) {
         const auto refracted = refract(-wo, normal, lobe.eta);
-        if (refracted && choice >= fresnelDielectric(cosOut, lobe.eta)) {
+        if (refracted && choice >= facetReflectance(lobe, cosOut).x) {
             const double scale = transport == Transport::Radiance ? lobe.eta * lobe.eta : 1;
             return {.direction = *refracted, .weight = glm::dvec3(scale), .through = true};
         }

@@ -20,6 +20,9 @@ std::uint32_t flags(const MaterialModel& material) {
 }
 
 Lobe lobe(const MaterialModel& material, bool front) {
+    if (material.thin != 0) {
+        return {.material = material, .eta = 1, .alpha = 0, .transmits = true};
+    }
     return {.material = material,
             .eta = front ? 1 / material.ior : material.ior,
             .alpha = alphaOf(material),
@@ -27,6 +30,10 @@ Lobe lobe(const MaterialModel& material, bool front) {
 }
 
 glm::dvec3 reflectance(const Lobe& lobe, double cosine) {
+    if (lobe.material.thin != 0) { // the sum over all reflections between the two faces
+        const double F = fresnelDielectric(cosine, 1 / lobe.material.ior);
+        return glm::dvec3(2 * F / (1 + F));
+    }
     return glm::dvec3(fresnelDielectric(cosine, lobe.eta));
 }
 

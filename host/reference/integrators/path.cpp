@@ -20,11 +20,11 @@ glm::dvec3 directLight(const World& world, const VisiblePoint& x, std::uint32_t 
         return glm::dvec3(0);
     }
     const std::optional<LightSample> sample = sampleLight(world, x, pass, std::nullopt);
-    if (!sample || !traceShadow(world, sample->from, sample->to)) {
+    if (!sample) {
         return glm::dvec3(0);
     }
     const double weight = sample->pdfW > 0 ? powerHeuristic(sample->pdfW, sample->cosine / std::numbers::pi) : 1;
-    return weight * sample->contribution;
+    return weight * arriving(world, *sample);
 }
 
 } // namespace
@@ -50,7 +50,7 @@ std::optional<NextRay> bouncePath(const World& world, const VisiblePoint& x, con
     return NextRay{.ray = {.origin = x.shadowOrigin, .direction = direction},
                    .path = {.beta = beta / survival,
                             .samplerSeed = path.samplerSeed,
-                            .medium = path.medium,
+                            .media = path.media,
                             .pdfW = cosine / std::numbers::pi}};
 }
 

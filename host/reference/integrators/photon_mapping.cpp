@@ -94,14 +94,15 @@ glm::dvec3 finalGather(const World& world, const PhotonMaps& maps, const Visible
         if (glm::dot(direction, x.geometricNormal) <= 0) {
             continue;
         }
-        followPath(
-            world, {.origin = x.shadowOrigin, .direction = direction},
-            {.beta = receiver.f * (pi * receiver.incident(glm::dot(direction, x.normal))), .samplerSeed = sampler.seed},
-            1, gather, [&](const Shading& shading) {
-                if (shading.visible) {
-                    L += lookUp(world, maps, *shading.visible) / static_cast<double>(rays);
-                }
-            });
+        followPath(world, {.origin = x.shadowOrigin, .direction = direction},
+                   {.beta = receiver.f * (pi * receiver.incident(glm::dot(direction, x.normal))),
+                    .samplerSeed = sampler.seed,
+                    .media = x.media},
+                   1, gather, [&](const Shading& shading) {
+                       if (shading.visible) {
+                           L += lookUp(world, maps, *shading.visible) / static_cast<double>(rays);
+                       }
+                   });
     }
     return L;
 }
@@ -120,8 +121,8 @@ glm::dvec3 directLight(const World& world, const PhotonMaps& maps, const Visible
         const std::optional<LightSample> sample = sampleLight(world, x, pass, light);
         const bool isLit = light < 32 && (known.lit >> light & 1U) != 0;
         const bool isShadowed = light < 32 && (known.shadowed >> light & 1U) != 0;
-        if (sample && !isShadowed && (isLit || traceShadow(world, sample->from, sample->to))) {
-            L += sample->contribution;
+        if (sample && !isShadowed) {
+            L += isLit ? sample->contribution : arriving(world, *sample);
         }
     }
     return L;

@@ -20,7 +20,7 @@ glm::dvec3 directLight(const World& world, const VisiblePoint& x, std::uint32_t 
         return glm::dvec3(0);
     }
     const std::optional<LightSample> sample = sampleLight(world, x, pass, std::nullopt);
-    return sample && traceShadow(world, sample->from, sample->to) ? sample->contribution : glm::dvec3(0);
+    return sample ? arriving(world, *sample) : glm::dvec3(0);
 }
 
 bool hasCausticMap(const World& world) {

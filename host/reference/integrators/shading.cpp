@@ -4,10 +4,10 @@
 
 #include "reference/bsdf/bsdf.h"
 #include "reference/bsdf/interface.h"
-#include "reference/bsdf/medium.h"
 #include "reference/lib/sampling.h"
 #include "reference/lights/light_choice.h"
 #include "reference/lights/receiver.h"
+#include "reference/media/boundary.h"
 #include "reference/textures/texture.h"
 #include "scene/model/render_seed.h"
 #include "shaders/shared/limits.h"
@@ -18,19 +18,19 @@ namespace hyalite::reference {
 
 namespace {
 
-NextRay follow(const Surface& surface, const BsdfSample& sample, const CameraPath& path, std::uint32_t samplerSeed) {
-    const Material* beyond = surface.front ? surface.material : nullptr; // the path enters glass at its front
+NextRay follow(const Boundary& surface, const BsdfSample& sample, const CameraPath& path, std::uint32_t samplerSeed) {
     return {.ray = {.origin = leave(surface, sample.direction), .direction = sample.direction},
             .path = {.beta = path.beta * sample.weight,
                      .samplerSeed = samplerSeed,
-                     .medium = sample.through ? beyond : path.medium,
+                     .media = sample.through ? surface.beyond : path.media,
                      .pdfW = sample.pdfW}};
 }
 
 // Reflected and refracted ray of a camera path at smooth glass: [0] weighted by F, [1] by (1 - F) (n_i / n_t)^2.
-std::array<std::optional<NextRay>, 2> splitAtDielectric(const Surface& surface, const glm::dvec3& direction, double eta,
-                                                        const CameraPath& path) {
-    const double F = fresnelDielectric(incidentCosine(direction, surface.normal), eta);
+std::array<std::optional<NextRay>, 2> splitAtDielectric(const Boundary& surface, const glm::dvec3& direction,
+                                                        const Lobe& lobe, const CameraPath& path) {
+    const double F = facetReflectance(lobe, incidentCosine(direction, surface.normal)).x;
+    const double eta = lobe.eta;
     std::array<std::optional<NextRay>, 2> next;
     next[0] = follow(surface, {.direction = reflect(direction, surface.normal), .weight = glm::dvec3(F)}, path,
                      shared::deriveSequence(path.samplerSeed, 1));
@@ -54,8 +54,8 @@ std::optional<Ray> afterNextFace(const Surface& surface, const glm::dvec3& refle
 
 // Probability that a path is reflected at smooth glass: the Fresnel reflectance. If only one of reflection and
 // refraction leads to a light, that one gets at least kShareToLight; outside the glass only the reflection is tested.
-double reflectionProbability(const World& world, const Surface& surface, const Ray& ray, const Hit& hit, double eta,
-                             double F) {
+double reflectionProbability(const World& world, const Surface& surface, const Ray& ray, const Hit& hit,
+                             const Lobe& lobe, double F) {
     if (F == 0 || F == 1 || world.lights.size() > shared::kMostLightsSought) {
         return F;
     }
@@ -66,9 +66,10 @@ double reflectionProbability(const World& world, const Surface& surface, const R
     };
     constexpr double share{shared::kShareToLight};
     const glm::dvec3 reflection = reflect(ray.direction, surface.normal);
-    if (surface.front) {
+    if (surface.front || lobe.material.thin != 0) {
         return leadsToLight(Ray{.origin = surface.position, .direction = reflection}) ? std::max(F, share) : F;
     }
+    const double eta = lobe.eta;
     const bool isBall = std::holds_alternative<Sphere>(world.objects[hit.object].shape);
     const bool reflects = leadsToLight(afterNextFace(surface, reflection, hit.t, isBall, eta));
     const glm::dvec3 refraction = refract(ray.direction, surface.normal, eta).value();
@@ -80,10 +81,11 @@ double reflectionProbability(const World& world, const Surface& surface, const R
 }
 
 // Follows reflection or refraction at smooth glass; the weight is whatever the selection probability does not cancel.
-NextRay pickAtDielectric(const World& world, const Surface& surface, const Ray& ray, const Hit& hit, double eta,
+NextRay pickAtDielectric(const World& world, const Boundary& surface, const Ray& ray, const Hit& hit, const Lobe& lobe,
                          const CameraPath& path, double choice) {
-    const double F = fresnelDielectric(incidentCosine(ray.direction, surface.normal), eta);
-    const double probability = reflectionProbability(world, surface, ray, hit, eta, F);
+    const double F = facetReflectance(lobe, incidentCosine(ray.direction, surface.normal)).x;
+    const double eta = lobe.eta;
+    const double probability = reflectionProbability(world, surface, ray, hit, lobe, F);
     if (choice < probability) {
         const glm::dvec3 reflection = reflect(ray.direction, surface.normal);
         return follow(surface, {.direction = reflection, .weight = glm::dvec3(F / probability)}, path,
@@ -117,7 +119,7 @@ double emissionWeight(const World& world, const Light& light, const CameraPath& 
 }
 
 // Leaves by the lobe; the probability of that is already divided out of `path`.
-void leaveByLobe(Shading& shading, const Surface& surface, const Ray& ray, const Lobe& lobe, const CameraPath& path,
+void leaveByLobe(Shading& shading, const Boundary& surface, const Ray& ray, const Lobe& lobe, const CameraPath& path,
                  std::uint32_t depth, std::uint32_t pass, double choice) {
     glm::dvec2 uv(0);
     if (lobe.alpha > 0) {
@@ -127,7 +129,9 @@ void leaveByLobe(Shading& shading, const Surface& surface, const Ray& ray, const
                                    .wo = -ray.direction,
                                    .beta = path.beta,
                                    .depth = depth,
-                                   .samplerSeed = path.samplerSeed};
+                                   .samplerSeed = path.samplerSeed,
+                                   .media = path.media,
+                                   .beyond = surface.beyond};
     }
     const ShadingNormals normals{surface.normal, surface.geometricNormal};
     if (const auto sample = sampleLobe(lobe, normals, -ray.direction, uv, choice, Transport::Radiance)) {
@@ -146,7 +150,8 @@ VisiblePoint visibleAt(const Surface& surface, const MaterialModel& material, co
             .material = material,
             .depth = depth,
             .samplerSeed = path.samplerSeed,
-            .quad = surface.quad};
+            .quad = surface.quad,
+            .media = path.media};
 }
 
 } // namespace
@@ -154,7 +159,7 @@ VisiblePoint visibleAt(const Surface& surface, const MaterialModel& material, co
 CameraPath beginCameraPath(const World& world, std::uint32_t pixel, std::uint32_t pass) {
     return {.beta = glm::dvec3(1),
             .samplerSeed = shared::cameraSampler(renderSeed(world.render), pass, pixel).seed,
-            .medium = nullptr};
+            .media = world.cameraMedia};
 }
 
 Shading shadeMiss(const World& world, const Ray& ray, const CameraPath& path) {
@@ -170,18 +175,19 @@ Shading shadeMiss(const World& world, const Ray& ray, const CameraPath& path) {
 
 Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const CameraPath& started, std::uint32_t depth,
                      std::uint32_t pass) {
-    const Surface surface = evaluateSurface(world, ray, hit);
+    const Boundary surface = boundaryAt(world, ray, hit, started.media);
     CameraPath path = started;
-    path.beta *= transmittance(path.medium, hit.t);
+    path.beta *= transmittance(world.materials, path.media, hit.t);
     Shading shading{.emitted = path.beta * surface.emission, .visible = {}, .rough = {}, .next = {}};
-    const auto light = std::ranges::find(world.lights, std::optional(hit.object), &Light::object);
+    const auto light = std::ranges::find(world.lights, std::optional(surface.object), &Light::object);
     if (light != world.lights.end()) {
         shading.emitted *= emissionWeight(world, *light, path, ray, hit.t, surface.geometricNormal);
     }
     if (surface.material == nullptr) {
         return shading;
     }
-    const MaterialModel model = texturedModel(world, surface);
+    const MaterialModel model = relativeTo(world.materials, world.indicesFromMedia, texturedModel(world, surface),
+                                           {.before = path.media, .beyond = surface.beyond, .front = surface.front});
     const bool whitted = world.cameraPaths.followsAllWays;
     const std::optional<DiffusePart> diffuse = diffusePart(model);
     const std::optional<Lobe> lobe = lobeOf(model, surface.front);
@@ -204,9 +210,9 @@ Shading shadeSurface(const World& world, const Ray& ray, const Hit& hit, const C
         if (lobe->alpha > 0 || !lobe->transmits) {
             leaveByLobe(shading, surface, ray, picked.lobe, onward, depth, pass, choice);
         } else if (whitted) {
-            shading.next = splitAtDielectric(surface, ray.direction, lobe->eta, path);
+            shading.next = splitAtDielectric(surface, ray.direction, *lobe, path);
         } else {
-            shading.next[0] = pickAtDielectric(world, surface, ray, hit, lobe->eta, path, choice);
+            shading.next[0] = pickAtDielectric(world, surface, ray, hit, *lobe, path, choice);
         }
     }
     if (whitted) {

@@ -3,6 +3,7 @@
 
 #include "reference/lights/lights.h"
 #include "reference/lights/rough_light.h"
+#include "reference/media/medium.h"
 #include "reference/world.h"
 
 #include <array>
@@ -13,10 +14,10 @@ namespace hyalite::reference {
 
 // The state of a camera path that has not yet met a diffuse surface.
 struct CameraPath {
-    glm::dvec3 beta{1};               // throughput: what unit radiance along the current ray adds to the pixel
-    std::uint32_t samplerSeed = 0;    // see shared::pathSampler
-    const Material* medium = nullptr; // of the world: the dielectric around the ray; nullptr: none
-    double pdfW = 0;                  // density of the current direction [1/sr]; 0: from the camera or a smooth surface
+    glm::dvec3 beta{1};            // throughput: what unit radiance along the current ray adds to the pixel
+    std::uint32_t samplerSeed = 0; // see shared::pathSampler
+    Media media = {};              // around the ray
+    double pdfW = 0;               // density of the current direction [1/sr]; 0: from the camera or a smooth surface
 };
 
 // The path that starts at the camera.

@@ -14,8 +14,8 @@ glm::dvec3 traceTree(const World& world, const Ray& ray, const CameraPath& path,
     const Shading shading = hit ? shadeSurface(world, ray, *hit, path, depth, pass) : shadeMiss(world, ray, path);
     glm::dvec3 L = shading.emitted;
     const auto add = [&](const std::optional<LightSample>& sample) {
-        if (sample && traceShadow(world, sample->from, sample->to)) {
-            L += sample->contribution;
+        if (sample) {
+            L += arriving(world, *sample);
         }
     };
     for (std::uint32_t light = 0; light < world.lights.size(); ++light) {

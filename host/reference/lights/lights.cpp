@@ -3,6 +3,7 @@
 
 #include "reference/lights/light_choice.h"
 #include "reference/lights/receiver.h"
+#include "reference/lights/shadow.h"
 #include "reference/photons/photons.h"
 #include "reference/photons/projection_map.h"
 #include "reference/world.h"
@@ -112,11 +113,30 @@ std::optional<LightSample> sampleLight(const World& world, const VisiblePoint& x
         return std::nullopt;
     }
     const Receiver receiver = receiverAt(x);
-    return LightSample{.from = x.shadowOrigin,
-                       .to = arrival.shadowEnd,
-                       .contribution = receiver.f * arrival.irradiance * (cosX * receiver.incident(cosX)),
-                       .cosine = cosX,
-                       .pdfW = arrival.pdfW};
+    // whitted has no other rays that find a light behind glass; those of path find the lights that have a surface
+    const CameraPathRules& rules = world.cameraPaths;
+    const bool passes = rules.followsAllWays || (rules.bouncesAtDiffuse && arrival.pdfW == 0);
+    return inMedia(world, {.from = x.shadowOrigin,
+                           .to = arrival.shadowEnd,
+                           .contribution = receiver.f * arrival.irradiance * (cosX * receiver.incident(cosX)),
+                           .cosine = cosX,
+                           .pdfW = arrival.pdfW,
+                           .media = x.media,
+                           .passes = passes && world.hasStraightGlass});
+}
+
+LightSample inMedia(const World& world, LightSample sample) {
+    if (!sample.passes) {
+        sample.contribution *= transmittance(world.materials, sample.media, glm::length(sample.to - sample.from));
+    }
+    return sample;
+}
+
+glm::dvec3 arriving(const World& world, const LightSample& sample) {
+    if (!sample.passes) {
+        return traceShadow(world, sample.from, sample.to) ? sample.contribution : glm::dvec3(0);
+    }
+    return sample.contribution * straightTransmittance(world, sample.from, sample.to, sample.media);
 }
 
 glm::dvec3 environmentRadiance(const World& world, const glm::dvec3& direction) {

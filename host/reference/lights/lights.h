@@ -8,6 +8,7 @@
 #include "reference/lights/light_sample.h"
 #include "reference/lights/point.h"
 #include "reference/lights/spot.h"
+#include "reference/media/medium.h"
 #include "reference/shapes/geometry.h"
 #include "scene/model/bounds.h"
 #include "scene/model/scene.h"
@@ -30,6 +31,7 @@ struct Light {
     double pmf = 0;   // probability that a photon picks this light; see also light_choice.h
     double cdf = 0;   // sum of the pmf up to and including this light; 1 for the last
     std::optional<std::uint32_t> object = std::nullopt; // the emitting object of the scene; none: not an object
+    Media media = {};                                   // around it: there its photons start
 };
 
 // The environment, points, spots and directional lights in the scene's order, then emitting objects in theirs. A part
@@ -56,6 +58,7 @@ struct VisiblePoint {
     std::uint32_t depth = 0; // segments from the camera to here
     std::uint32_t samplerSeed = 0;
     const Quad* quad = nullptr; // of the world: the parallelogram under this point; nullptr: another shape
+    Media media = {};           // on this side
 };
 
 // Which light to sample, with which random numbers: the given light, with its own sequence (whitted sums over all
@@ -77,19 +80,29 @@ struct LightArrival {
 };
 [[nodiscard]] LightArrival sampleArrival(const World& world, const glm::dvec3& receiver, const LightChoice& choice);
 
-// One shadow ray: its two ends, moved off their surfaces, and its contribution if unoccluded.
+// One shadow ray: its two ends, moved off their surfaces, and its contribution if unoccluded, absorption included. A
+// ray that passes goes on through thin glass and through boundaries of matching index; what absorbs it is left to
+// arriving().
 struct LightSample {
     glm::dvec3 from;         // world [m]
     glm::dvec3 to;           // world [m]
     glm::dvec3 contribution; // [W/(m^2 sr)]
     double cosine = 0;       // of the angle to the surface's normal
     double pdfW = 0;         // sampling density [1/sr]; 0: no ray can hit the light
+    Media media = {};        // around its start
+    bool passes = false;
 };
 
 // Samples one light, given or picked for it, at a visible point in a pass; `shift`: see LightChoice. None: the
 // light cannot reach that side of the surface.
 [[nodiscard]] std::optional<LightSample> sampleLight(const World& world, const VisiblePoint& x, std::uint32_t pass,
                                                      std::optional<std::uint32_t> light, double shift = 0);
+
+// The sample with the absorption of the media around its ray, unless it passes.
+[[nodiscard]] LightSample inMedia(const World& world, LightSample sample);
+
+// The light that arrives along the sample's ray; 0: it is occluded.
+[[nodiscard]] glm::dvec3 arriving(const World& world, const LightSample& sample);
 
 // Radiance [W/(m^2 sr)] from the unit direction, for rays that hit nothing.
 [[nodiscard]] glm::dvec3 environmentRadiance(const World& world, const glm::dvec3& direction);

@@ -20,12 +20,17 @@ std::optional<LightSample> sampleRoughLight(const World& world, const RoughPoint
     if (contribution == glm::dvec3(0)) {
         return std::nullopt;
     }
-    return LightSample{.from = leave(x.surface, wi), .to = arrival.shadowEnd, .contribution = contribution};
+    const bool through = glm::dot(wi, x.surface.geometricNormal) < 0;
+    return inMedia(world, {.from = leave(x.surface, wi),
+                           .to = arrival.shadowEnd,
+                           .contribution = contribution,
+                           .media = through ? x.beyond : x.media,
+                           .passes = world.hasStraightGlass && arrival.pdfW == 0});
 }
 
 glm::dvec3 directRoughLight(const World& world, const RoughPoint& x, std::uint32_t pass) {
     const auto sample = sampleRoughLight(world, x, pass, std::nullopt);
-    return sample && traceShadow(world, sample->from, sample->to) ? sample->contribution : glm::dvec3(0);
+    return sample ? arriving(world, *sample) : glm::dvec3(0);
 }
 
 } // namespace hyalite::reference

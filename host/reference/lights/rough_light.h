@@ -18,6 +18,8 @@ struct RoughPoint {
     glm::dvec3 beta;         // path throughput, probability of the lobe divided out
     std::uint32_t depth = 0; // segments from the camera to here
     std::uint32_t samplerSeed = 0;
+    Media media;  // on the side the path came from
+    Media beyond; // on the other
 };
 
 // Weight of a sample of density `pdf` when the other strategy would sample it with density `other`; pdf > 0.

@@ -4,9 +4,9 @@
 #include "base/parallel.h"
 #include "reference/bsdf/bsdf.h"
 #include "reference/bsdf/interface.h"
-#include "reference/bsdf/medium.h"
 #include "reference/lib/sampling.h"
 #include "reference/lights/lights.h"
+#include "reference/media/boundary.h"
 #include "reference/textures/texture.h"
 #include "scene/model/render_seed.h"
 
@@ -56,14 +56,15 @@ PhotonPass progressivePass(const World& world, std::uint32_t pass) {
 
 PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, const PhotonPath& started,
                             std::uint32_t depth, const PhotonPass& pass) {
-    const Surface surface = evaluateSurface(world, ray, hit);
+    const Boundary surface = boundaryAt(world, ray, hit, started.media);
     PhotonPath path = started;
-    path.power *= transmittance(path.medium, hit.t);
+    path.power *= transmittance(world.materials, path.media, hit.t);
     PhotonScatter scatter{.stored = {}, .next = {}, .path = path};
     if (surface.material == nullptr) {
         return scatter;
     }
-    const MaterialModel model = texturedModel(world, surface);
+    const MaterialModel model = relativeTo(world.materials, world.indicesFromMedia, texturedModel(world, surface),
+                                           {.before = path.media, .beyond = surface.beyond, .front = surface.front});
     const std::optional<DiffusePart> diffuse = diffusePart(model);
     const std::optional<Lobe> lobe = lobeOf(model, surface.front);
     if (diffuse && isWanted(path.kind, pass)) {
@@ -104,7 +105,7 @@ PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, 
     if (sample && survives(sample->weight / taken, xy.x, scatter.path.power)) {
         scatter.next = Ray{.origin = leave(surface, sample->direction), .direction = sample->direction};
         if (sample->through) {
-            scatter.path.medium = surface.front ? surface.material : nullptr;
+            scatter.path.media = surface.beyond;
         }
     }
     return scatter;
@@ -119,8 +120,12 @@ std::vector<Photon> tracePhotons(const World& world, const PhotonPass& pass) {
         for (std::size_t i = begin; i < end; ++i) {
             const auto photon = static_cast<std::uint32_t>(i);
             const Emission emission = emitPhoton(world, photon, pass);
-            tracePhoton(world, emission.ray, {.power = emission.power, .photon = photon, .light = emission.light}, 1,
-                        pass, blocks[begin / kBlock]);
+            tracePhoton(world, emission.ray,
+                        {.power = emission.power,
+                         .photon = photon,
+                         .light = emission.light,
+                         .media = world.lights[emission.light].media},
+                        1, pass, blocks[begin / kBlock]);
         }
     });
     return joined(blocks);

@@ -23,7 +23,7 @@ struct PhotonPath {
     std::uint32_t photon = 0;             // number of the photon in its pass
     std::uint32_t light = 0;              // index of the emitting light
     PhotonKind kind = PhotonKind::Direct; // of the photon that this path would store on a diffuse surface
-    const Material* medium = nullptr;     // of the world: the dielectric around the ray; nullptr: none
+    Media media = {};                     // around the ray
 };
 
 // Which photons a pass emits and stores.

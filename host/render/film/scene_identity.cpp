@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstddef>
 #include <filesystem>
 
 namespace hyalite::render {
@@ -48,7 +49,11 @@ std::uint64_t hashOf(const DeviceScene& deviceScene) {
     state = fnvOf(deviceScene.lightNodes, state);
     state = fnvOf(deviceScene.textures, state);
     state = fnvOf(deviceScene.textureCoordinates, state);
-    state = fnvOf(deviceScene.instances, state);
+    for (const shared::InstanceRecord& instance : deviceScene.instances.read()) {
+        // What it touches follows from the geometry
+        constexpr std::size_t kRows = offsetof(shared::InstanceRecord, neighbors);
+        state = fnv(std::as_bytes(std::span(&instance, 1)).first(kRows), state);
+    }
     state = fnvOf(deviceScene.normals, state);
     state = fnvOf(deviceScene.geometry, state);
     return fnvOf(deviceScene.objects, state);

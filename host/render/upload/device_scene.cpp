@@ -1,13 +1,17 @@
 #include "render/upload/device_scene.h"
 
+#include "geometry/media_needs.h"
 #include "geometry/specular_targets.h"
 #include "kinds/lights/light_table.h"
 #include "kinds/materials/material_table.h"
+#include "reference/media/touching_objects.h"
+#include "render/upload/media_word.h"
 #include "render/upload/mesh_tables.h"
 #include "render/upload/object_table.h"
 #include "render/upload/texture_table.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -41,9 +45,7 @@ std::uint32_t typesOf(const std::vector<shared::LightRecord>& lights) {
     });
 }
 
-} // namespace
-
-shared::CameraRecord cameraRecord(const Camera& camera) {
+shared::CameraRecord cameraRecord(const Camera& camera, std::uint32_t media) {
     const dvec3 forward = glm::normalize(camera.lookAt - camera.position);
     const dvec3 right = glm::normalize(glm::cross(forward, camera.up));
     const dvec3 up = glm::cross(right, forward);
@@ -57,7 +59,14 @@ shared::CameraRecord cameraRecord(const Camera& camera) {
             camera.resolution.x,
             camera.resolution.y,
             static_cast<float>(0.5 * camera.aperture),
-            static_cast<float>(focus)};
+            static_cast<float>(focus),
+            media};
+}
+
+} // namespace
+
+shared::CameraRecord cameraRecord(const Scene& scene) {
+    return cameraRecord(scene.camera, mediaWord(scene, reference::startMedia(scene).camera));
 }
 
 namespace {
@@ -68,6 +77,32 @@ gpu::Array<T> upload(const gpu::Context& context, std::vector<T>& table, const c
     gpu::Array<T> array(context, std::span<const T>(table), name);
     table = {};
     return array;
+}
+
+// Gives the objects their lists, one after another in the result, which they refer to by offsets in bytes.
+std::vector<std::uint32_t> setNeighbors(const reference::Neighbors& touching, ObjectTable& objects) {
+    std::vector<std::uint32_t> all;
+    if (touching.empty()) {
+        return all;
+    }
+    std::vector<std::uint32_t> deviceOf(touching.size());
+    for (std::uint32_t i = 0; i < objects.objectOf.size(); ++i) {
+        if (objects.leafOf[i] == shared::kNone) {
+            deviceOf.at(objects.objectOf[i]) = i;
+        }
+    }
+    for (std::uint32_t i = 0; i < objects.objectOf.size(); ++i) {
+        if (objects.leafOf[i] == shared::kNone) {
+            const std::vector<reference::Neighbor>& list = touching.at(objects.objectOf[i]);
+            objects.instances[i].neighbors.address = all.size() * sizeof(std::uint32_t);
+            objects.instances[i].neighborCount = static_cast<std::uint32_t>(list.size());
+            for (const reference::Neighbor& neighbor : list) {
+                all.push_back(deviceOf.at(neighbor.object));
+                all.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(neighbor.extent)));
+            }
+        }
+    }
+    return all;
 }
 
 void uploadTextures(const gpu::Context& context, gpu::TexelTables& tables, const Scene& scene, const MeshTables& meshes,
@@ -101,7 +136,11 @@ DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, c
     DeviceScene device;
     device.targets = {context, std::span<const shared::TargetRecord>(targets), "targets"};
     device.targetCount = static_cast<std::uint32_t>(targets.size());
-    device.camera = cameraRecord(scene.camera);
+    const reference::StartMedia start = reference::startMedia(scene);
+    device.camera = cameraRecord(scene.camera, mediaWord(scene, start.camera));
+    for (std::size_t i = 0; i < lights.lights.size(); ++i) {
+        lights.lights[i].media = mediaWord(scene, start.lights.at(i));
+    }
     device.rootNode = objects.rootNode;
     device.lightCount = static_cast<std::uint32_t>(lights.lights.size());
     device.materials = {context, std::span<const shared::MaterialRecord>(materials.records), "materials"};
@@ -115,6 +154,11 @@ DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, c
     kinds::setAddresses(lights.lights, device.lightTriangles, device.lightTexels, device.lightCdfs,
                         device.lightHierarchy);
     device.lights = {context, std::span<const shared::LightRecord>(lights.lights), "lights"};
+    const std::vector<std::uint32_t> neighbors = setNeighbors(reference::touchingObjects(scene), objects);
+    device.neighbors = {context, std::span<const std::uint32_t>(neighbors), "touching objects"};
+    for (shared::InstanceRecord& instance : objects.instances) {
+        instance.neighbors.address += shared::NeighborArray(device.neighbors).address;
+    }
     device.instances = {context, std::span<const shared::InstanceRecord>(objects.instances), "instances"};
     device.normals = upload(context, meshes.normals, "normals");
     device.geometry = upload(context, meshes.geometry, "geometry");
@@ -129,6 +173,11 @@ DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, c
     device.specialization["kEndlessObjects"] = objects.endlessCount;
     device.specialization["kStackEntries"] = roundedUp(objects.stackEntries + meshes.stackEntries);
     device.specialization["kCsgLeaves"] = std::max(objects.mostLeaves, 1U);
+    const bool hasDielectrics = (materials.types & 1U << shared::kMaterialDielectric) != 0;
+    device.specialization["kMediumBits"] = // scenes without share their kernels
+        hasDielectrics ? shared::mediumBits(static_cast<std::uint32_t>(scene.materials.size())) : 8;
+    const std::uint32_t touching = shared::kMediaTouch | shared::kMediaIndices | shared::kMediaShadows;
+    device.specialization["kMediaNeeds"] = mediaNeeds(scene) | (neighbors.empty() ? 0 : touching);
     device.specialization["kLightTypes"] = typesOf(lights.lights);
     device.specialization["kMaterialTypes"] = materials.types;
     device.specialization["kManyLights"] = device.lightCount > 1 ? 1 : 0;

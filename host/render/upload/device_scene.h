@@ -19,6 +19,7 @@ struct DeviceScene {
     gpu::Array<shared::LightNode> lightNodes;
     gpu::Array<shared::LightHierarchy> lightHierarchy; // one
     gpu::Array<shared::InstanceRecord> instances;      // in device order, like the objects
+    gpu::Array<std::uint32_t> neighbors;               // the instances refer to its elements
     gpu::Array<glm::vec3> normals;                     // three for each triangle with normals; those come first
     gpu::Array<glm::uvec4> geometry;                   // triangles, then nodes
     gpu::Array<glm::vec4> objects;
@@ -40,7 +41,8 @@ struct DeviceScene {
     }
 };
 
-[[nodiscard]] shared::CameraRecord cameraRecord(const Camera& camera);
+// With the media around the scene's camera.
+[[nodiscard]] shared::CameraRecord cameraRecord(const Scene& scene);
 
 // Builds the hierarchies, uploads everything and binds the hot tables; the result must outlive the tables' use.
 [[nodiscard]] DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, const Scene& scene);

@@ -32,6 +32,7 @@ void LightSampler::sample(const gpu::Array<shared::VisiblePoint>& visiblePoints,
 
 void LightSampler::record(const gpu::Array<shared::VisiblePoint>& visiblePoints, const Sampling& sampling) {
     const std::uint32_t most = sampling.threads.most();
+    visiblePoints_ = visiblePoints;
     device_.commands.run(sampleLights_,
                          shared::SampleLightsArguments{.visiblePoints = visiblePoints,
                                                        .materials = deviceScene_.materials,
@@ -69,7 +70,11 @@ void LightSampler::record(const gpu::Array<glm::vec3>& direct, const gpu::Thread
                                                       .width = deviceScene_.widthOf(threads.most()),
                                                       .live = threads.live(),
                                                       .rayCount = rayCount_,
-                                                      .paths = paths},
+                                                      .paths = paths,
+                                                      .visiblePoints = visiblePoints_,
+                                                      .materials = deviceScene_.materials,
+                                                      .normals = deviceScene_.normals,
+                                                      .instances = deviceScene_.instances},
                          threads);
 }
 

@@ -52,6 +52,7 @@ private:
     gpu::Kernel traceShadow_;
     gpu::Array<shared::Ray> shadowRays_;
     gpu::Array<glm::vec3> contributions_;
+    shared::VisiblePointArray visiblePoints_; // of the last sampling
     DeviceCounter rayCount_;
 };
 

@@ -24,7 +24,9 @@ void RoughLight::sample(shared::RoughPointArray points, shared::ColorArray direc
                                                             .rootNode = deviceScene_.rootNode,
                                                             .live = paths.live(),
                                                             .rayCount = rayCount,
-                                                            .sought = sought},
+                                                            .sought = sought,
+                                                            .normals = deviceScene_.normals,
+                                                            .instances = deviceScene_.instances},
                          paths);
 }
 

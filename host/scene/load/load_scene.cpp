@@ -3,6 +3,7 @@
 
 #include "base/input_file.h"
 #include "kinds/lights/area.h"
+#include "reference/media/media_depth.h"
 #include "scene/load/read_lights.h"
 #include "scene/load/read_materials.h"
 #include "scene/load/read_shapes.h"
@@ -181,6 +182,7 @@ void readScene(const Value& root, const std::filesystem::path& folder, Scene& sc
     }
     checkScene(root, scene);
     checkTextures(scene);
+    reference::checkMediaDepth(scene);
 }
 
 } // namespace

@@ -45,15 +45,19 @@ struct Mirror {
     operator MaterialModel() const { return MaterialModel(shared::kMaterialMirror, reflectance); }
 };
 struct Dielectric {
-    double ior = 1.5;         // inside over outside, > 0
-    double roughness = 0;     // [0, 1]
-    glm::dvec3 absorption{0}; // coefficient inside [1/m]
+    double ior = 1.5;           // inside over outside, > 0; with a priority, over vacuum
+    double roughness = 0;       // [0, 1]
+    glm::dvec3 absorption{0};   // coefficient inside [1/m]
+    std::uint32_t priority = 0; // of its volume over others where they overlap; 0: none, it is nested in them
+    bool thin = false;          // both faces of a pane at once
 
     operator MaterialModel() const {
         MaterialModel model(shared::kMaterialDielectric, glm::dvec3(1));
         model.ior = ior;
         model.roughness = roughness;
         model.absorption = absorption;
+        model.priority = priority;
+        model.thin = thin ? 1 : 0;
         return model;
     }
 };

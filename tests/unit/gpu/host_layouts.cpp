@@ -27,45 +27,47 @@ using namespace hyalite::shared; // the names below are the kernels'
 
 std::map<std::string, HostLayout> hostLayouts() {
     std::map<std::string, HostLayout> layouts;
-    HOST_LAYOUT(CameraRecord, position, forward, right, up, width, height, lensRadius, focusDistance);
+    HOST_LAYOUT(CameraRecord, position, forward, right, up, width, height, lensRadius, focusDistance, media);
     HOST_LAYOUT(MaterialRecord, type, color, eta, k, absorption, ior, roughness, metallic, coat, coatRoughness, coatIor,
-                parameters, function, colorTexture, roughnessTexture);
+                parameters, priority, thin, function, colorTexture, roughnessTexture);
     HOST_LAYOUT(LightTriangle, corner, edge0, edge1, normal);
     HOST_LAYOUT(LightRecord, type, position, edge0, edge1, normal, radius, distance, cone, error, area, emission, power,
-                pmf, cdf, columns, rows, rotation, cdfs, triangles, texels, hierarchy, node);
+                pmf, cdf, columns, rows, rotation, cdfs, triangles, texels, hierarchy, node, media);
     HOST_LAYOUT(LightNode, center, radius, axis, cosSpread, sinSpread, cosFade, intensity, parent, second, light);
     HOST_LAYOUT(LightHierarchy, nodes, lightCount, farCount);
-    HOST_LAYOUT(InstanceRecord, row0, row1, row2);
+    HOST_LAYOUT(InstanceRecord, row0, row1, row2, neighbors, neighborCount);
     HOST_LAYOUT(Ray, origin, tMax, direction, from);
     HOST_LAYOUT(Hit, t, object, primitive, uv);
-    HOST_LAYOUT(CameraPath, beta, pixel, samplerSeed, medium, pdfW);
+    HOST_LAYOUT(CameraPath, beta, pixel, samplerSeed, media, pdfW);
     HOST_LAYOUT(VisiblePoint, position, depth, normal, samplerSeed, onSurface, from, wo, geometricNormal, beta, pixel,
-                uv, material, probability);
+                uv, material, probability, media);
     HOST_LAYOUT(RoughPoint, position, error, normal, depth, geometricNormal, samplerSeed, wo, from, beta, result, uv,
-                material, isCoat);
-    HOST_LAYOUT(PhotonPath, power, photon, light, kind, medium);
+                material, isCoat, media, beyond);
+    HOST_LAYOUT(PhotonPath, power, photon, light, kind, media);
     HOST_LAYOUT(Photon, position, direction, power, surface);
     HOST_LAYOUT(PhotonFate, stored, absorbed, escaped, cutOff);
     HOST_LAYOUT(GridRecord, inverseCellSize, bucketMask);
     HOST_LAYOUT(PhotonMapRecord, order, cellStarts, grid.inverseCellSize, grid.bucketMask, base, count);
     HOST_LAYOUT(RenderSeed, sequence);
     HOST_LAYOUT(GenerateCameraRaysArguments, rays, paths, seed.sequence, camera.position, camera.forward, camera.right,
-                camera.up, camera.width, camera.height, camera.lensRadius, camera.focusDistance, count, pass);
+                camera.up, camera.width, camera.height, camera.lensRadius, camera.focusDistance, camera.media, count,
+                pass);
     HOST_LAYOUT(TraceClosestArguments, rays, hits, count, rootNode, width, live);
     HOST_LAYOUT(ShadeSurfaceArguments, rays, hits, paths, materials, lights, normals, instances, visiblePoints, emitted,
                 nextRays, nextPaths, alive, count, depth, maxDepth, pass, roughPoints, width, live);
     HOST_LAYOUT(TraceWhittedArguments, slots, rays, paths, materials, lights, normals, instances, light, pixels,
                 roughPoints, nextRays, nextPaths, alive, seed.sequence, camera.position, camera.forward, camera.right,
-                camera.up, camera.width, camera.height, camera.lensRadius, camera.focusDistance, count, depth, maxDepth,
-                pass, minWeight, lightCount, rootNode, keptRays, keptPaths, hits, emitted, visiblePoints, live,
+                camera.up, camera.width, camera.height, camera.lensRadius, camera.focusDistance, camera.media, count,
+                depths, pass, minWeight, lightCount, rootNode, keptRays, keptPaths, hits, emitted, visiblePoints, live,
                 rayCount);
     HOST_LAYOUT(SampleRoughLightsArguments, roughPoints, materials, lights, direct, count, light, pass, rootNode, live,
-                rayCount, sought);
+                rayCount, sought, normals, instances);
     HOST_LAYOUT(SampleLightsArguments, visiblePoints, materials, lights, shadowRays, contributions, count, light, pass,
                 maxDepth, bounceDepth, width, live, paths, sought);
     HOST_LAYOUT(BouncePathsArguments, paths, visiblePoints, materials, nextRays, nextPaths, alive, count, depth,
                 maxDepth, pass, live);
-    HOST_LAYOUT(TraceShadowArguments, shadowRays, contributions, direct, count, rootNode, width, live, rayCount, paths);
+    HOST_LAYOUT(TraceShadowArguments, shadowRays, contributions, direct, count, rootNode, width, live, rayCount, paths,
+                visiblePoints, materials, normals, instances);
     HOST_LAYOUT(EmitPhotonsArguments, lights, rays, paths, first, count, ofPass, lightCount, sequence);
     HOST_LAYOUT(ScatterPhotonArguments, rays, hits, paths, materials, normals, instances, photons, fates, nextRays,
                 nextPaths, alive, count, firstPhoton, depth, maxDepth, sequence, kinds, account, room, live);
@@ -121,7 +123,7 @@ std::map<std::string, HostLayout> hostLayouts() {
                 radius, count);
     HOST_LAYOUT(SkipShadowRaysArguments, lit, shadowed, shadowRays, contributions, direct, raysSaved, light, count);
     HOST_LAYOUT(SplatPhotonsArguments, photons, counts, camera.position, camera.forward, camera.right, camera.up,
-                camera.width, camera.height, camera.lensRadius, camera.focusDistance, count, rootNode);
+                camera.width, camera.height, camera.lensRadius, camera.focusDistance, camera.media, count, rootNode);
     HOST_LAYOUT(SelfTestRecord, first, second, third, fourth);
     HOST_LAYOUT(SelfTestAnswer, rounds, texel, record.first, record.second, record.third, record.fourth);
     HOST_LAYOUT(SelfTestArguments, records, answers, rounds, count);

@@ -56,7 +56,7 @@ TEST_CASE("reflection reads sizes, members, strides and specialization constants
     CHECK(interface.localSize == 64);
     // kWorkers is lib/thread.glsl's
     CHECK(interface.specializationConstants == std::map<std::string, std::uint32_t>{{"kScale", 2}, {"kWorkers", 15}});
-    // Scalar layout: address 8, beta 12, pixel 4, samplerSeed 4, medium 4, pdfW 4, two colors 24, count 4: 64 bytes, a
+    // Scalar layout: address 8, beta 12, pixel 4, samplerSeed 4, media 4, pdfW 4, two colors 24, count 4: 64 bytes, a
     // multiple of 8.
     CHECK(interface.pushConstantBytes == 64);
     const auto& members = interface.structs.at("Arguments");
