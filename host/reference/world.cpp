@@ -58,7 +58,7 @@ CsgTree makeTree(const Scene& scene, const Object& object, const MeshTrees& tree
             }
         }
     }
-    return {csg, std::move(leaves), object.where};
+    return {csg, std::move(leaves), object.where, csgExtent(scene, csg)};
 }
 
 Geometry makeGeometry(const Scene& scene, const Object& object, const MeshTrees& trees) {

@@ -1,7 +1,8 @@
 // Constructive solid geometry: walks the crossings of all leaves in order along the ray and keeps one bit per leaf that
 // says whether the ray is inside it. The solid's surface is where the value of the tree changes.
 //
-// Crossings within kPlaceLength (relative) of one another form one place: a piece of the solid, or a gap in it, that is
+// A ray from afar is walked from a point near the solid, where single precision tells its crossings apart. Crossings
+// within kPlaceLength of one another, relative to their distance from where the walk starts, form one place: a piece of the solid, or a gap in it, that is
 // thinner than a place is ignored. This makes coincident faces render stably: they are crossed together, and the
 // visible surface, at the first of these crossings, belongs to the first leaf, in the order of the scene file, that is
 // crossed in the same sense as the solid and decides its value.
@@ -105,11 +106,12 @@ uint decidingLeaf(uvec4 program, uint steps, uint candidates, uint before, uint 
     return uint(findLSB(candidates));
 }
 
-void reportSurface(uint leaf, float t, uint part, bool enters, Ray ray, inout Hit hit) {
-    if (!(t < hit.t)) {
+// `t` is the parameter of `ray`, which starts `skipped` behind the ray that is traced.
+void reportSurface(uint leaf, float t, uint part, bool enters, Ray ray, float skipped, inout Hit hit) {
+    if (!(skipped + t < hit.t)) {
         return;
     }
-    hit = Hit(max(t, kTiny), leaf, part | (enters ? kHitEnters : 0u), vec2(0.0));
+    hit = Hit(max(skipped + t, kTiny), leaf, part | (enters ? kHitEnters : 0u), vec2(0.0));
     if (isShape(objectHeader(leaf).type, kShapeMesh)) {
         vec3 o, d;
         toMeshSpace(leaf, ray, o, d);
@@ -117,8 +119,24 @@ void reportSurface(uint leaf, float t, uint part, bool enters, Ray ray, inout Hi
     }
 }
 
+// How far the walk may skip along a ray from afar: to two radii before the middle of the sphere around the solid. 0 for
+// rays from nearer than kFarFromSolid radii, and where the solid is endless.
+const float kFarFromSolid = 16.0;
+
+float lengthToSolid(uint object, Ray ray) {
+    vec4 sphere = objectTexel(object, 1u);
+    float toSphere = dot(sphere.xyz - ray.origin, ray.direction) - 2.0 * sphere.w;
+    return toSphere > kFarFromSolid * sphere.w ? toSphere : 0.0;
+}
+
 void traceCsg(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
-    uvec2 leaves = floatBitsToUint(objectTexel(object, 0u).xy);
+    float skipped = lengthToSolid(object, ray);
+    if (skipped > 0.0) {
+        ray.origin = alongRay(ray.origin, vec3(0.0), ray.direction, skipped);
+    }
+    float tMax = hit.t - skipped;
+    vec4 head = objectTexel(object, 0u);
+    uvec2 leaves = floatBitsToUint(head.xy);
     uvec4 program = texelFetch(geometryTable, int(header.root));
     uint steps = 2u * leaves.y - 1u;
     uint reversed = 0u; // bits of the leaves whose inside lies outside the solid
@@ -129,7 +147,7 @@ void traceCsg(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
     bool valueBefore = false;
     // A ray that leaves this object starts within a place and knows the value before it
     Start start = startAt(object, ray.from);
-    float around = startLength(ray.origin);
+    float around = greater(startLength(ray.origin), kPlaceLength * head.z);
     float placeStart = 0.0;
     float placeEnd = start.known ? around : 0.0;
     uint leaf = 0u;
@@ -140,7 +158,7 @@ void traceCsg(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
         inside = state.winding != 0 ? inside | bit : inside & ~bit;
         if (starting) {
             uint type = objectHeader(leaves.x + leaf).type;
-            bool isAway = state.winding == 0 && state.t >= hit.t;
+            bool isAway = state.winding == 0 && state.t >= tMax;
             if (isAway && (type & kShapeRequired) != 0u && !(start.known && start.inside)) {
                 return; // so the solid is absent up to the hit
             }
@@ -173,11 +191,12 @@ void traceCsg(uint object, ObjectHeader header, Ray ray, inout Hit hit) {
                 candidates &= (value ? inside : ~inside) ^ reversed; // those crossed in the same sense as the solid
                 uint surface = decidingLeaf(program, steps, candidates, before, inside);
                 if (candidates != 0u && leafCrossed[surface] != kNone) {
-                    reportSurface(leaves.x + surface, placeStart, leafCrossed[surface], value, ray, hit);
+                    reportSurface(leaves.x + surface, placeStart, leafCrossed[surface], value, ray, skipped,
+                                  hit);
                     return;
                 }
             }
-            if (isLast || t >= hit.t) {
+            if (isLast || t >= tMax) {
                 return;
             }
             before = inside;

@@ -7,10 +7,37 @@
 #include "lib/specialization.glsl"
 #include "shapes/torus.glsl"
 
+// |p - center|^2 - radius^2, exact to the roundings of p's coordinates where a large sphere passes near the origin.
+float sphereForm(uint object, vec4 sphere, vec3 p) {
+    return dot(p, p - 2.0 * sphere.xyz) + objectTexel(object, 1u).x;
+}
+
+bool isNearOrigin(vec4 sphere, vec3 p) {
+    return dot(p, p) < 0.0625 * sphere.w * sphere.w;
+}
+
+// The roots of t^2 + 2 b t + c, in order; false if there are none.
+bool orderedRoots(float b, float c, out vec2 t) {
+    float discriminant = b * b - c;
+    float root = sqrt(greater(discriminant, 0.0));
+    float q = b > 0.0 ? -b - root : root - b;
+    float t0 = q == 0.0 ? 0.0 : c / q;
+    t = vec2(lesser(t0, q), greater(t0, q));
+    return discriminant >= 0.0;
+}
+
 Crossings sphereCrossings(uint object, Ray ray) {
     Crossings crossings = noCrossings();
+    vec4 sphere = objectTexel(object, 0u);
     vec2 t;
-    if (sphereRoots(ray.origin, ray.direction, objectTexel(object, 0u), false, t)) {
+    bool meets;
+    if (isNearOrigin(sphere, ray.origin)) {
+        float b = dot(ray.origin, ray.direction) - dot(sphere.xyz, ray.direction);
+        meets = orderedRoots(b, sphereForm(object, sphere, ray.origin), t);
+    } else {
+        meets = sphereRoots(ray.origin, ray.direction, sphere, false, t);
+    }
+    if (meets) {
         appendSpan(crossings, t, uvec2(0u));
     }
     return crossings;
@@ -27,7 +54,8 @@ Crossings solidCrossings(uint object, uint type, Ray ray) {
 }
 
 // Crossings closer together than this are one place (see csg.glsl): 2^-18 of t or of the origin's largest coordinate, a
-// few roundings. A ray that knows on which side it starts ignores crossings within this distance of its start.
+// few roundings; spaces and forms are chosen so that shapes larger than these coordinates round no more (quadric.cpp in
+// host/kinds/shapes), except tori and meshes, whose size counts too (reach). A ray that knows on which side it starts ignores crossings within this distance of its start.
 const float kPlaceLength = 3.814697265625e-6;
 
 float startLength(vec3 origin) {

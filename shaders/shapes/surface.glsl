@@ -3,7 +3,7 @@
 #define HYALITE_SURFACE_GLSL
 #include "shared/limits.h"
 #include "shared/path_records.h"
-#include "shapes/quadric.glsl"
+#include "shapes/solids.glsl"
 #include "lib/specialization.glsl"
 
 struct Surface {
@@ -43,11 +43,30 @@ vec3 toWorld(InstanceRecord instance, vec4 p) {
     return vec3(dot(instance.row0, p), dot(instance.row1, p), dot(instance.row2, p));
 }
 
+// A hit from farther than this, in radii of curvature, is found again near the shape, because the rounding of t
+// would put it beside the surface and turn the normal. Up to there one step of Newton's method suffices.
+const float kFarHit = 1024.0;
+
+// Is the hit at `t` the first of these roots, measured from `start` on? The one where the ray enters if rounding of t
+// hides which.
+bool isFirstRoot(vec2 roots, bool firstEnters, float t, float start) {
+    float s = t - start;
+    return roots.y - roots.x > kPositionError * t ? abs(roots.x - s) <= abs(roots.y - s) : firstEnters;
+}
+
+// The point of the sphere that a ray hits from afar, relative to the centre.
+vec3 farOnSphere(vec4 sphere, Ray ray, float t) {
+    float start = dot(sphere.xyz - ray.origin, ray.direction);
+    vec3 nearest = alongRay(ray.origin, sphere.xyz, ray.direction, start);
+    float reach = sqrt(greater(sphere.w * sphere.w - dot(nearest, nearest), 0.0));
+    return nearest + (isFirstRoot(vec2(-reach, reach), true, t, start) ? -reach : reach) * ray.direction;
+}
+
 // Projects the point back onto the sphere: then it is accurate to the rounding of its coordinates, however long the
 // ray.
-vec3 placeOnSphere(uint object, vec3 p, inout Surface s) {
+vec3 placeOnSphere(uint object, Ray ray, float t, vec3 p, inout Surface s) {
     vec4 sphere = objectTexel(object, 0u);
-    vec3 outward = normalize(p - sphere.xyz);
+    vec3 outward = normalize(t > kFarHit * sphere.w ? farOnSphere(sphere, ray, t) : p - sphere.xyz);
     s.position = sphere.xyz + sphere.w * outward;
     s.error = kPositionError * (largestCoordinate(sphere.xyz) + sphere.w);
     return outward;
@@ -78,9 +97,17 @@ float errorOver(float value, float slope, float most) {
     return value < slope * most ? value / slope : most;
 }
 
+// The point of the form's surface that a ray hits from afar, relative to the centre [world].
+vec3 farOnForm(uint object, QuadricForm form, vec3 center, Ray ray, float t) {
+    LocalRay line = localRay(object, ray.origin, ray.direction);
+    FormRoots roots = formRoots(form, line.p, line.d);
+    float s = isFirstRoot(roots.t, roots.between, t, line.start) ? roots.t.x : roots.t.y;
+    return alongRay(ray.origin, center, ray.direction, line.start) + s * ray.direction;
+}
+
 // One step of Newton's method along the gradient moves the point onto the surface, up to the rounding of q: a few times
 // 2^-24 of the sum of its terms.
-vec3 placeOnQuadric(uint object, Ray ray, uint part, vec3 p, inout Surface s) {
+vec3 placeOnQuadric(uint object, Ray ray, float t, uint part, vec3 p, inout Surface s) {
     vec4 rows[3] = vec4[3](objectTexel(object, 0u), objectTexel(object, 1u), objectTexel(object, 2u));
     vec3 center = vec3(rows[0].w, rows[1].w, rows[2].w);
     QuadricForm form = quadricForm(object);
@@ -90,6 +117,14 @@ vec3 placeOnQuadric(uint object, Ray ray, uint part, vec3 p, inout Surface s) {
     vec3 fromCenter = p - center;
     vec3 local = toLocal(rows[0], rows[1], rows[2], fromCenter);
     vec3 halfGradient = timesSymmetric(form.diagonal, form.offDiagonal, local) + form.linear;
+    // The radius of curvature is at least the half gradient over the largest coefficient
+    float curvature = maxComponent(greater(abs(form.diagonal), abs(form.offDiagonal)));
+    if (t * length(toLocal(rows[0], rows[1], rows[2], ray.direction)) * curvature > kFarHit * length(halfGradient)) {
+        fromCenter = farOnForm(object, form, center, ray, t);
+        p = center + fromCenter;
+        local = toLocal(rows[0], rows[1], rows[2], fromCenter);
+        halfGradient = timesSymmetric(form.diagonal, form.offDiagonal, local) + form.linear;
+    }
     float q = dot(local, halfGradient + form.linear) + form.constant;
     vec3 gradient = 2.0 * (halfGradient.x * rows[0].xyz + halfGradient.y * rows[1].xyz + halfGradient.z * rows[2].xyz);
     float slope = length(gradient);
@@ -105,11 +140,31 @@ vec3 placeOnQuadric(uint object, Ray ray, uint part, vec3 p, inout Surface s) {
     return slope > 0.0 ? gradient / slope : -ray.direction;
 }
 
-vec3 placeOnTorus(uint object, vec3 p, inout Surface s) {
+// The point of a torus that a ray hits from afar, relative to the centre [world]: Newton's method from the hit, of which
+// no step is longer than the rounding of t.
+vec3 farOnTorus(uint object, vec2 radii, vec3 center, Ray ray, float t) {
+    LocalRay local = localRay(object, ray.origin, ray.direction);
+    float speed = length(local.d) / radii.x;
+    TorusLine line = TorusLine(local.p / radii.x, normalize(local.d), radii.y / radii.x);
+    float u = (t - local.start) * speed;
+    float most = kPositionError * t * speed;
+    for (int i = 0; i < 8; ++i) {
+        vec2 distance = torusDistance(line, u);
+        u -= clamp(distance.x / (distance.y == 0.0 ? kTiny : distance.y), -most, most);
+    }
+    return alongRay(ray.origin, center, ray.direction, local.start) + (u / speed) * ray.direction;
+}
+
+vec3 placeOnTorus(uint object, Ray ray, float t, vec3 p, inout Surface s) {
     vec4 rows[3] = vec4[3](objectTexel(object, 0u), objectTexel(object, 1u), objectTexel(object, 2u));
     vec2 radii = objectTexel(object, 4u).xy;
     vec3 center = vec3(rows[0].w, rows[1].w, rows[2].w);
-    vec3 local = toLocal(rows[0], rows[1], rows[2], p - center);
+    vec3 fromCenter = p - center;
+    if (t * length(toLocal(rows[0], rows[1], rows[2], ray.direction)) > kFarHit * radii.y) {
+        fromCenter = farOnTorus(object, radii, center, ray, t);
+        p = center + fromCenter;
+    }
+    vec3 local = toLocal(rows[0], rows[1], rows[2], fromCenter);
     float fromAxis = length(local.xz);
     vec2 fromRing = vec2(fromAxis - radii.x, local.y);
     float distance = length(fromRing);
@@ -167,6 +222,9 @@ vec2 textureCoordinates(uint type, Hit hit, vec3 outward) {
     return isShape(type, kShapeQuad) ? hit.uv : vec2(0.0);
 }
 
+// Beyond this multiple of the hit's largest coordinate, the rounding of t is more than the length of a place.
+const float kFarFromLeaf = 32.0;
+
 Surface surfaceAt(Ray ray, Hit hit, NormalArray normals, InstanceArray instances) {
     ObjectHeader header = objectHeader(hit.object);
     Surface s;
@@ -182,11 +240,11 @@ Surface surfaceAt(Ray ray, Hit hit, NormalArray normals, InstanceArray instances
         outward = placeOnTriangle(hit, (header.type & kShapeSmooth) != 0u, normals, instances, s);
     } else {
         if (isShape(header.type, kShapeSphere)) {
-            outward = placeOnSphere(hit.object, p, s);
+            outward = placeOnSphere(hit.object, ray, hit.t, p, s);
         } else if (isShape(header.type, kShapeQuadric)) {
-            outward = placeOnQuadric(hit.object, ray, hit.primitive, p, s);
+            outward = placeOnQuadric(hit.object, ray, hit.t, hit.primitive, p, s);
         } else if (isShape(header.type, kShapeTorus)) {
-            outward = placeOnTorus(hit.object, p, s);
+            outward = placeOnTorus(hit.object, ray, hit.t, p, s);
         } else {
             outward = placeOnPlane(hit.object, p, s);
         }
@@ -195,9 +253,14 @@ Surface surfaceAt(Ray ray, Hit hit, NormalArray normals, InstanceArray instances
     s.beyond = kNoMedia;
     s.uv = kTextures != 0u ? textureCoordinates(header.type, hit, outward) : vec2(0.0);
     if (isLeaf) {
-        // The hit on the solid, not on this leaf: at an edge the two differ by a place (see csg.glsl). No error: a ray
-        // that leaves a solid knows on which side it starts
-        s.position = p;
+        // The hit on the solid, not on this leaf: at an edge the two differ by a place (see csg.glsl). From afar, where p
+        // is off by more than a place, the leaf. No error: a ray that leaves a solid knows on which side it starts
+        if (!(hit.t > kFarFromLeaf * largestCoordinate(p))) {
+            s.position = p;
+        } else if (isShape(header.type, kShapeSphere) && isNearOrigin(objectTexel(hit.object, 0u), p)) {
+            vec4 sphere = objectTexel(hit.object, 0u);
+            s.position = p - (sphereForm(hit.object, sphere, p) / (2.0 * sphere.w)) * outward;
+        }
         s.error = 0.0;
     }
     if (isLeaf && (header.type & kShapeReversed) != 0u) {

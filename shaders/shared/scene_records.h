@@ -101,7 +101,7 @@ DEVICE_ARRAY(TargetRecord, TargetArray);
 
 // An object is eight texels of the object table; the fourth is (type and flags, material, light, root) as bits, and the
 // others hold what the shape needs:
-//   sphere:      0 (center, radius)
+//   sphere:      0 (center, radius)  1 (center.center - radius^2, -, -, -)
 //   flat shapes: 0 (unit normal n, n.corner)  1 (U, u0)  2 (V, v0): a point p of the plane has the coordinates
 //                u = U.p + u0, v = V.p + v0; a quad is [0, 1]^2, a disk the unit circle, a plane is unbounded
 //   mesh:        0 1 2 rows of the 3x4 matrix from world to object space; root: node of its hierarchy
@@ -109,7 +109,8 @@ DEVICE_ARRAY(TargetRecord, TargetArray);
 //                a x^2 + 2b xy + 2c xz + 2d x + e y^2 + 2f yz + 2g y + h z^2 + 2i z + j and the box lo, hi in that
 //                space: 4 (a, e, h, j)  5 (b, c, f, lo.x)  6 (d, g, i, hi.x)  7 (lo.y, hi.y, lo.z, hi.z)
 //   torus:       0 1 2 likewise  4 (major, minor, -, -)
-//   csg:         0 (first leaf, leaf count, -, -) as bits; root: texel of the geometry table that holds its program
+//   csg:         0 (first leaf, leaf count as bits, reach, -)  1 (center, radius) of a sphere around it; reach: largest
+//                coordinate of its tori and meshes; root: texel of the geometry table that holds its program
 // Leaves of CSG are separate objects, after those that rays are traced against.
 SHARED_CONSTANT kTexelsPerObject = 8u;
 SHARED_CONSTANT kShapeSphere = 0u;

@@ -199,7 +199,59 @@ void checkShape(const std::string& name, const Shape& shape) {
     check(name + " from anywhere", compareAll(both, raysFromAnywhere(), false));
 }
 
+// From a hundred kilometres, where a float resolves 8 mm along the ray.
+constexpr double kAfar = 1e5;
+
+std::vector<shared::Ray> raysFromAfar() {
+    constexpr std::size_t kFewer = 100000;
+    Random random;
+    std::vector<shared::Ray> rays;
+    for (std::size_t i = 0; i < kFewer; ++i) {
+        const dvec3 origin = kAfar * random.direction();
+        rays.push_back(toDevice({.origin = origin, .direction = glm::normalize(random.inCube(1) - origin)}));
+    }
+    return rays;
+}
+
+// The point and normal of a hit from afar are as exact as from nearby: the line of a ray is exact, however long, and
+// the surface is found near the shape. But which of two crossings nearer than the resolution is hit is open, and
+// whether a ray that grazes the shape hits it.
+void checkFromAfar(const std::string& name, const Shape& shape) {
+    BothSides both(sceneOf(shape));
+    const std::vector<shared::Ray> rays = raysFromAfar();
+    const Found found = find(both, rays);
+    std::size_t hits = 0;
+    std::size_t unlike = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const reference::Ray ray = toReference(rays[i]);
+        const auto expected = reference::traceClosest(both.world, ray);
+        const bool isHit = found.hits[i].object != shared::kNone;
+        if (!expected || !isHit) {
+            unlike += expected.has_value() != isHit ? 1 : 0;
+            continue;
+        }
+        ++hits;
+        const reference::Surface surface = reference::evaluateSurface(both.world, ray, *expected);
+        const double cosine = std::abs(glm::dot(ray.direction, surface.geometricNormal));
+        const bool isAlike = distance(found.points[i].onSurface, surface.position) <= kPlaceError / cosine &&
+                             distance(found.points[i].normal, surface.normal) <= 2e-5 / cosine;
+        unlike += isAlike ? 0 : 1;
+    }
+    INFO(name << ": " << unlike << " of " << hits << " hits unlike");
+    CHECK(hits > rays.size() / 100);
+    CHECK(static_cast<double>(unlike) <= 2e-4 * static_cast<double>(rays.size()));
+}
+
 } // namespace
+
+TEST_CASE("rays from a hundred kilometres hit every shape as exactly as rays from nearby", "[shapes][afar]") {
+    Random random;
+    for (const NamedForm& named : namedForms()) {
+        checkFromAfar(std::string(named.name), quadric(named, randomPlacement(random, 0.7, 0.2)));
+    }
+    checkFromAfar("sphere", Sphere{{0.1, -0.2, 0.3}, 0.8});
+    checkFromAfar("torus", Torus{.major = 1, .minor = 0.3, .objectToWorld = randomPlacement(random, 0.7, 0.2)});
+}
 
 TEST_CASE("a million rays hit every quadric where the reference hits it", "[shapes]") {
     Random random;

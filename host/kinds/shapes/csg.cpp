@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -174,6 +175,8 @@ Shape read(Reader& reader, const Surroundings& around) {
     return csg;
 }
 
+constexpr double kEndlessRadius = 3e38; // stored for an endless solid: no ray starts outside this sphere
+
 std::uint32_t code(CsgStep step) {
     switch (step) {
     case CsgStep::Leaf:
@@ -193,7 +196,10 @@ std::uint32_t code(CsgStep step) {
 ObjectRecord record(const Csg& csg, ObjectTables& tables) {
     const std::uint32_t leaves = leafCount(csg);
     ObjectRecord r{.type = shared::kShapeCsg, .root = static_cast<std::uint32_t>(tables.geometry.size())};
-    r.texels[0] = glm::vec4(bits(tables.nextLeaf), bits(leaves), 0, 0);
+    const CsgExtent extent = csgExtent(tables.scene, csg);
+    const double radius = std::isfinite(extent.radius) ? extent.radius : kEndlessRadius;
+    r.texels[0] = glm::vec4(bits(tables.nextLeaf), bits(leaves), static_cast<float>(extent.reach), 0);
+    r.texels[1] = glm::vec4(glm::vec3(extent.center), static_cast<float>(radius));
     tables.nextLeaf += leaves;
     glm::uvec4 words(0);
     for (std::uint32_t i = 0; i < csg.program.size(); ++i) {

@@ -43,6 +43,38 @@ glm::dvec3 localCenter(const Quadric& quadric) {
     return isNear ? center : near;
 }
 
+// Distance of the world's origin from the surface [m], at least that from `box`, its bounds; for the form, an estimate
+// by its slope there.
+double originToSurface(const Quadric& quadric, const Bounds& box) {
+    const glm::dmat3 toObject = glm::inverse(glm::dmat3(quadric.objectToWorld));
+    const glm::dvec3 origin = toObject * -glm::dvec3(quadric.objectToWorld[3]);
+    const double slope = 2 * glm::length(halfGradient(quadric.form, origin) * toObject);
+    const double value = std::abs(evaluate(quadric.form, origin));
+    double nearest = slope > 0 ? value / slope : kNoSide;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double perMeter = glm::length(glm::dvec3(toObject[0][axis], toObject[1][axis], toObject[2][axis]));
+        for (const double side : {quadric.clip.low[axis], quadric.clip.high[axis]}) {
+            nearest = std::min(nearest, std::abs(side - origin[axis]) / perMeter);
+        }
+    }
+    const glm::dvec3 toBox = glm::max(glm::max(box.low, -box.high), glm::dvec3(0));
+    return std::max(nearest, glm::length(toBox));
+}
+
+// The origin of the record's space (object space). Coordinates round in proportion to their distance from it. So where
+// the surface passes near the world's origin, much nearer than the shape is large, that origin is taken: a ray there
+// must meet the surface to within the rounding of its own coordinates.
+glm::dvec3 recordCenter(const Quadric& quadric) {
+    constexpr double kMuchNearer = 0.25;
+    const glm::dvec3 center = localCenter(quadric);
+    const glm::dvec3 inWorld = glm::abs(glm::dvec3(quadric.objectToWorld * glm::dvec4(center, 1)));
+    const Bounds box = worldBounds(quadric);
+    const double extent = isFinite(box) ? 0.5 * glm::length(box.high - box.low) : 0;
+    const double size = std::max({inWorld.x, inWorld.y, inWorld.z, extent});
+    const bool passesNear = originToSurface(quadric, box) < kMuchNearer * size;
+    return passesNear ? glm::dvec3(glm::inverse(quadric.objectToWorld) * glm::dvec4(0, 0, 0, 1)) : center;
+}
+
 Shape read(Reader& reader, const Surroundings& around) {
     const Value written = reader.require(kCoefficients.name);
     const std::vector<double> c = written.numbers(10, kCoefficient);
@@ -67,7 +99,7 @@ ObjectRecord record(const Quadric& quadric, ObjectTables& /*tables*/) {
     if (isClipped && !quadric.capped) {
         r.type |= shared::kShapeOpen;
     }
-    const glm::dvec3 origin = setLocalSpace(r, quadric.objectToWorld, localCenter(quadric));
+    const glm::dvec3 origin = setLocalSpace(r, quadric.objectToWorld, recordCenter(quadric));
     const QuadricForm q = transformed(quadric.form, glm::translate(glm::dmat4(1), -origin));
     const glm::dvec3 low = glm::max(quadric.clip.low - origin, glm::dvec3(-kNoSide));
     const glm::dvec3 high = glm::min(quadric.clip.high - origin, glm::dvec3(kNoSide));

@@ -59,6 +59,7 @@ Shape read(Reader& reader, const Surroundings& around) {
 ObjectRecord record(const Sphere& sphere, ObjectTables& /*tables*/) {
     ObjectRecord r{.type = shared::kShapeSphere};
     r.texels[0] = glm::vec4(glm::vec3(sphere.center), static_cast<float>(sphere.radius));
+    r.texels[1].x = static_cast<float>(glm::dot(sphere.center, sphere.center) - sphere.radius * sphere.radius);
     return r;
 }
 

@@ -61,7 +61,8 @@ std::size_t decidingLeaf(const CsgTree& tree, const LeafSet& before, const LeafS
 
 } // namespace
 
-CsgTree::CsgTree(const Csg& csg, std::vector<Solid> solids, const SourceLocation& where) : firstLeaf(csg.firstLeaf) {
+CsgTree::CsgTree(const Csg& csg, std::vector<Solid> solids, const SourceLocation& where, const CsgExtent& size)
+    : firstLeaf(csg.firstLeaf), extent(size) {
     if (solids.size() > kMostCsgLeaves) {
         throw Error(ExitCode::BadInput, where, "more than " + std::to_string(kMostCsgLeaves) + " leaves in a CSG tree",
                     "split it into several objects");
@@ -117,10 +118,14 @@ bool CsgTree::contains(std::size_t index, const LeafSet& inside) const {
     }
 }
 
-std::optional<CsgHit> intersectCsg(const Ray& ray, const CsgTree& tree) {
+std::optional<CsgHit> intersectCsg(const Ray& given, const CsgTree& tree) {
+    const double toSolid = glm::dot(tree.extent.center - given.origin, given.direction) - kBefore * tree.extent.radius;
+    const double skipped = toSolid > kFar * tree.extent.radius ? toSolid : 0;
+    const Ray ray{
+        .origin = given.origin + skipped * given.direction, .direction = given.direction, .tMax = given.tMax - skipped};
     const Course course = courseOf(ray, tree);
     const glm::dvec3 magnitude = glm::abs(ray.origin);
-    const double farthest = std::max({magnitude.x, magnitude.y, magnitude.z});
+    const double farthest = std::max({magnitude.x, magnitude.y, magnitude.z, tree.extent.reach});
     LeafSet state = course.start;
     for (std::size_t next = 0; next < course.ahead.size();) {
         const std::size_t first = next;
@@ -142,7 +147,7 @@ std::optional<CsgHit> intersectCsg(const Ray& ray, const CsgTree& tree) {
             --last;
         }
         CsgHit hit{.at = course.ahead[last].at, .leaf = leaf, .spread = course.ahead[next - 1].at.t - tFirst};
-        hit.at.t = tFirst;
+        hit.at.t = skipped + tFirst;
         if (inRange(tFirst, ray)) {
             return hit;
         }

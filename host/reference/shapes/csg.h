@@ -4,6 +4,7 @@
 
 #include "reference/shapes/ray.h"
 #include "reference/shapes/solid.h"
+#include "scene/model/bounds.h"
 #include "scene/model/scene.h"
 
 #include <bitset>
@@ -28,7 +29,7 @@ struct CsgTree {
     };
 
     // `solids` are the leaves of the program, in its order. Throws Error(BadInput) if there are none, or too many.
-    CsgTree(const Csg& csg, std::vector<Solid> solids, const SourceLocation& where);
+    CsgTree(const Csg& csg, std::vector<Solid> solids, const SourceLocation& where, const CsgExtent& extent = {});
 
     // True if a point inside exactly these leaves is inside the solid.
     [[nodiscard]] bool contains(const LeafSet& inside) const { return contains(nodes.size() - 1, inside); }
@@ -36,6 +37,7 @@ struct CsgTree {
     std::vector<Node> nodes; // the root comes last
     std::vector<Leaf> leaves;
     std::size_t firstLeaf; // in Scene::csgLeaves
+    CsgExtent extent;
 
 private:
     [[nodiscard]] bool contains(std::size_t node, const LeafSet& inside) const;
@@ -49,11 +51,14 @@ struct CsgHit {
 };
 
 // The first place where the ray enters or leaves the solid. Crossings within kPlace * max(t, largest |coordinate| of
-// the ray's origin) behind the first one count as one place: only rounding separates surfaces that coincide in the
-// scene, and that must not show. The surface hit is that of the first leaf that is crossed in the same sense as the
-// solid and decides, meaning that flipping it alone before or after the place flips the solid. The hit is the last of
-// this leaf's crossings in the place.
+// the ray's origin, extent.reach), for a ray from afar with its origin moved to kBefore radii from the solid, behind
+// the first one count as one place: only rounding separates surfaces that coincide in the scene, and that must not
+// show. The surface hit is that of the first leaf that is crossed in the same sense as the solid and decides, meaning
+// that flipping it alone before or after the place flips the solid. The hit is the last of this leaf's crossings in the
+// place.
 inline constexpr double kPlace = 0x1p-18;
+inline constexpr double kFar = 16;   // rays that start farther than this before the moved origin are from afar [radii]
+inline constexpr double kBefore = 2; // [radii]
 [[nodiscard]] std::optional<CsgHit> intersectCsg(const Ray& ray, const CsgTree& tree);
 
 [[nodiscard]] bool isInside(const CsgTree& tree, const glm::dvec3& point);

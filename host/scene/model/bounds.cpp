@@ -70,6 +70,24 @@ bool isFinite(const Bounds& box) {
     return std::isfinite(glm::dot(box.low, glm::dvec3(1))) && std::isfinite(glm::dot(box.high, glm::dvec3(1)));
 }
 
+CsgExtent csgExtent(const Scene& scene, const Csg& csg) {
+    CsgExtent extent;
+    const Bounds box = shapeBounds(scene, csg);
+    if (isFinite(box) && !isEmpty(box)) {
+        extent.center = 0.5 * (box.low + box.high);
+        extent.radius = 0.5 * glm::length(box.high - box.low);
+    }
+    for (std::size_t i = 0; i < (csg.program.size() + 1) / 2; ++i) {
+        const Object& leaf = scene.csgLeaves[csg.firstLeaf + i];
+        if (std::holds_alternative<Torus>(leaf.shape) || std::holds_alternative<MeshInstance>(leaf.shape)) {
+            const Bounds bounds = worldBounds(scene, leaf);
+            const glm::dvec3 farthest = glm::max(glm::abs(bounds.low), glm::abs(bounds.high));
+            extent.reach = std::max({extent.reach, farthest.x, farthest.y, farthest.z});
+        }
+    }
+    return extent;
+}
+
 Bounds meshBounds(const Mesh& mesh, const glm::dmat4& objectToWorld) {
     Bounds box;
     for (const glm::uvec3& triangle : mesh.triangles) {

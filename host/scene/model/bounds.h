@@ -24,6 +24,14 @@ namespace hyalite {
 
 [[nodiscard]] bool isFinite(const Bounds& box);
 
+// What the search for a CSG solid's crossings needs to know of its size.
+struct CsgExtent {
+    glm::dvec3 center{0};                                    // of a sphere around the solid [m]
+    double radius = std::numeric_limits<double>::infinity(); // [m]; infinite if the solid is endless
+    double reach = 0; // largest coordinate of its tori and meshes [m]: these round in proportion to it
+};
+[[nodiscard]] CsgExtent csgExtent(const Scene& scene, const Csg& csg);
+
 // World-space bounds of all bounded objects; without any, the bounds of the camera's position and target.
 [[nodiscard]] Bounds sceneBounds(const Scene& scene);
 
