@@ -64,6 +64,17 @@ std::optional<Difference> differenceOf(const Sides& sides, const std::vector<Dev
     return std::nullopt;
 }
 
+// From the scene's coordinates to those of the world, in which paths are shown.
+template <class Vertices>
+void toWorld(Vertices& path, const glm::dvec3& origin) {
+    for (Vertex& vertex : path) {
+        vertex.from += origin;
+        if (vertex.object != shared::kNone) {
+            vertex.position += origin;
+        }
+    }
+}
+
 // True if both sides start with the same ray, up to a few roundings of the random numbers.
 bool startsAlike(const Sides& sides, const PathKey& key, const reference::PhotonPass& pass, const Vertex& device) {
     Hull origin;
@@ -129,6 +140,8 @@ RecordedPath pathOf(const Sides& sides, const PathRecorder& recorder, const Path
         path.what = difference->what;
         path.cause = causeOf(sides, key, pass, path.device);
     }
+    toWorld(path.device, sides.world().origin);
+    toWorld(path.twin, sides.world().origin);
     return path;
 }
 

@@ -156,6 +156,7 @@ World prepareWorld(const Scene& scene) {
                 .cameraMedia = {},
                 .render = scene.render,
                 .cameraPaths = integratorNamed(scene.render.integrator).cameraPaths,
+                .origin = scene.origin,
                 .sceneRadius = sceneRadius(scene),
                 .globalRadius = globalSearchRadius(scene),
                 .causticRadius = causticSearchRadius(scene),

@@ -29,6 +29,7 @@ struct World {
     RenderSettings render;
     CameraPathRules cameraPaths;         // of render.integrator
     bool hasStraightGlass = false;       // see lights/shadow.h
+    glm::dvec3 origin{0};                // see Scene::origin
     double sceneRadius = 0;              // of the sphere around all bounded objects [m]
     double globalRadius = 0;             // photonmap: largest search radius for the global map [m]
     double causticRadius = 0;            // photonmap: the same for the caustic map [m]

@@ -151,12 +151,15 @@ DEVICE_ARRAY(vec3, NormalArray); // zero vector: flat
 // no textures: (u0, v0, u1, v1) (u2, v2, -, -).
 SHARED_CONSTANT kTexelsPerCoordinates = 2u;
 
-// A texture is two texels at the head of the texture table; after them come the texels of the images, row by row from
+// A texture is three texels at the head of the texture table; after them come the texels of the images, row by row from
 // the top:
 //   image:   0 (kTextureImage, first texel, width, height) as bits
 //   checker: 0 (kTextureChecker… as bits, first colour)  1 (cells per metre or per unit of u and v, second colour)
+//            2 in the world: the scene's origin [cells], modulo 2
 //   custom:  0 (kTextureCustom, number among the scene's custom textures, -, -) as bits  1 its parameters
-SHARED_CONSTANT kTexelsPerTexture = 2u;
+//            2 the scene's origin, world [m]
+// The scene's origin is what its coordinates on the device are relative to; see host/scene/model/recentre.h.
+SHARED_CONSTANT kTexelsPerTexture = 3u;
 SHARED_CONSTANT kTextureImage = 0u;
 SHARED_CONSTANT kTextureCheckerWorld = 1u;
 SHARED_CONSTANT kTextureCheckerUv = 2u;

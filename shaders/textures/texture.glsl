@@ -32,7 +32,7 @@ vec3 imageAt(uint first, ivec2 size, vec2 uv) {
     return mix(above, below, part.y);
 }
 
-// `position`: on the surface, world [m].
+// `position`: on the surface, relative to the scene's origin [m].
 vec3 textureAt(uint texture_, vec3 position, vec2 uv) {
     vec4 head = texelFetch(textureTable, int(kTexelsPerTexture * texture_));
     uvec4 bits = floatBitsToUint(head);
@@ -40,10 +40,12 @@ vec3 textureAt(uint texture_, vec3 position, vec2 uv) {
         return imageAt(bits.y, ivec2(bits.zw), uv);
     }
     vec4 rest = texelFetch(textureTable, int(kTexelsPerTexture * texture_ + 1u));
+    vec3 origin = texelFetch(textureTable, int(kTexelsPerTexture * texture_ + 2u)).xyz;
     if (bits.x == kTextureCustom) {
-        return clamp(customTexture(bits.y, position, uv, rest), 0.0, 1.0);
+        return clamp(customTexture(bits.y, origin + position, uv, rest), 0.0, 1.0);
     }
-    vec3 place = bits.x == kTextureCheckerWorld ? position * rest.x + kCheckerShift : vec3(uv * rest.x, 0.0);
+    vec3 place =
+        bits.x == kTextureCheckerWorld ? position * rest.x + (origin + kCheckerShift) : vec3(uv * rest.x, 0.0);
     vec3 cell = floor(place);
     return isOdd(cell.x + cell.y + cell.z) ? rest.yzw : head.yzw;
 }

@@ -60,10 +60,11 @@ class KnownAnswers(CliTest):
         expected = {(x, y): self.range_in_pixel(x, y) for x in range(self.SIDE) for y in range(self.SIDE)}
         # Without a second surface there is no indirect light, so photon mapping gives the same result.
         whitted, ppm = ["--passes", "2"], ["--passes", "2", "--photons", "5000", *self.ppm_settings()]
+        cases = [("point-light-floor.yaml", whitted), ("point-light-floor.yaml", ppm), ("far-floor.yaml", whitted)]
         for backend in self.BACKENDS:
-            for options in (whitted, ppm):
-                with self.subTest(backend=backend, options=options):
-                    picture = self.render("tests/point-light-floor.yaml", backend, *options)
+            for name, options in cases:
+                with self.subTest(name, backend=backend, options=options):
+                    picture = self.render("tests/" + name, backend, *options)
                     outside = [
                         (pixel, least, picture.at(*pixel), largest)
                         for pixel, (least, largest) in expected.items()
@@ -74,6 +75,20 @@ class KnownAnswers(CliTest):
                     # the origin, it is (1 + 0.054^2 / 4)^(-3/2) = 0.9989 of it.
                     for value in picture.at(32, 32):
                         self.assertAlmostEqual(value, 5 / (4 * math.pi), delta=0.0012 * 5 / (4 * math.pi))
+
+    def test_a_ground_of_a_hundred_metres_has_one_radiance_in_every_pixel_from_five_centimetres(self):
+        for backend in self.BACKENDS:
+            with self.subTest(backend):
+                values = self.render("tests/csg-ground.yaml", backend).values()
+                self.assertAlmostEqual(min(values), 1.2 / math.pi, delta=1e-5)
+                self.assertAlmostEqual(max(values), 1.2 / math.pi, delta=1e-5)
+
+    def test_a_ball_has_the_mean_radiance_of_lamberts_law_from_a_hundred_kilometres(self):
+        # 16 384 samples, one for each cell of a grid, find the area of a disk across 58 pixels to 0.5 %.
+        for backend in self.BACKENDS:
+            with self.subTest(backend):
+                values = list(self.render("tests/ball-from-afar.yaml", backend).values())
+                self.assertAlmostEqual(sum(values) / len(values), 0.33058, delta=0.01 * 0.33058)
 
     @staticmethod
     def ppm_settings():

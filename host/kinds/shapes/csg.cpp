@@ -82,7 +82,8 @@ std::vector<Value> readOperands(Reader& reader) {
 }
 
 void checkClosedMesh(const SourceLocation& where, const Mesh& mesh) {
-    const auto text = [](const glm::vec3& point) {
+    const auto text = [&](const glm::vec3& inMesh) {
+        const glm::dvec3 point = mesh.origin + glm::dvec3(inMesh);
         return '(' + numberText(point.x) + ", " + numberText(point.y) + ", " + numberText(point.z) + ')';
     };
     if (const auto edge = findOpenEdge(mesh)) {

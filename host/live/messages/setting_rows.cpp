@@ -1,5 +1,6 @@
 #include "live/messages/setting_rows.h"
 
+#include "scene/model/recentre.h"
 #include "scene/yaml/settings_table.h"
 
 namespace hyalite::live {
@@ -35,7 +36,7 @@ const std::string& settingsScript() {
 }
 
 Json settingValues(const Scene& scene) {
-    const Settings settings{scene.camera, scene.render};
+    const Settings settings{inWorld(scene.camera, scene), scene.render};
     Json values = Json::object();
     for (const Setting& setting : settingsTable()) {
         if (!setting.label.empty()) {

@@ -1,6 +1,7 @@
 #include "live/worker/scene_info.h"
 
 #include "live/messages/setting_rows.h"
+#include "scene/model/recentre.h"
 
 #include <array>
 
@@ -29,7 +30,7 @@ SceneInfo sceneInfoOf(const Scene& scene, const View& view) {
     if (scene.render.photonMap.customFilter) {
         info.code.push_back(scene.render.photonMap.customFilter->file);
     }
-    const Camera& camera = scene.camera;
+    const Camera camera = inWorld(scene.camera, scene);
     info.camera = {.position = listOf(camera.position),
                    .lookAt = listOf(camera.lookAt),
                    .up = listOf(camera.up),

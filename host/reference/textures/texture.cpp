@@ -60,7 +60,7 @@ dvec3 evaluateTexture(const TextureModel& texture, const dvec2& uv, const dvec3&
 
 MaterialModel texturedModel(const World& world, const Surface& surface) {
     const auto valueOf = [&](std::size_t texture) {
-        return evaluateTexture(world.textures.at(texture).model, surface.uv, surface.position);
+        return evaluateTexture(world.textures.at(texture).model, surface.uv, world.origin + surface.position);
     };
     MaterialModel model = surface.material->model;
     if (const auto texture = surface.material->colorTexture) {

@@ -2,6 +2,7 @@
 
 #include "base/fnv.h"
 #include "gpu/shader_compiler.h"
+#include "scene/model/recentre.h"
 #include "scene/yaml/settings_table.h"
 
 #include <algorithm>
@@ -60,7 +61,7 @@ std::uint64_t hashOf(const DeviceScene& deviceScene) {
 }
 
 RenderIdentity identify(const Scene& scene, const DeviceScene& deviceScene, const gpu::ShaderCompiler& compiler) {
-    const Settings settings{scene.camera, scene.render};
+    const Settings settings{inWorld(scene.camera, scene), scene.render};
     RenderIdentity identity;
     identity.scene = std::filesystem::path(scene.file).filename().string();
     for (const Setting& setting : settingsTable()) {
@@ -83,7 +84,7 @@ std::span<const std::string_view> kernelsOfPhotons() {
 
 RenderIdentity identifyPhotons(const Scene& scene, const DeviceScene& deviceScene,
                                const gpu::KernelCompiler& compiler) {
-    const Settings settings{scene.camera, scene.render};
+    const Settings settings{inWorld(scene.camera, scene), scene.render};
     RenderIdentity identity;
     identity.scene = std::filesystem::path(scene.file).filename().string();
     for (const Setting& setting : settingsTable()) {

@@ -111,7 +111,7 @@ void uploadTextures(const gpu::Context& context, gpu::TexelTables& tables, const
     if (!hasTextures(scene)) {
         return;
     }
-    const std::vector<glm::vec4> textures = textureTexels(scene.textures);
+    const std::vector<glm::vec4> textures = textureTexels(scene.textures, scene.origin);
     const std::vector<glm::vec4> coordinates = coordinateTexels(scene.meshes, meshes);
     device.textures = {context, std::span<const glm::vec4>(textures), "textures"};
     device.textureCoordinates = {context, std::span<const glm::vec4>(coordinates), "texture coordinates"};

@@ -26,7 +26,7 @@ bool hasTextures(const Scene& scene) {
     });
 }
 
-std::vector<vec4> textureTexels(const std::vector<Texture>& textures) {
+std::vector<vec4> textureTexels(const std::vector<Texture>& textures, const glm::dvec3& origin) {
     std::vector<vec4> table(shared::kTexelsPerTexture * textures.size(), vec4(0));
     std::size_t customNumber = 0;
     for (std::size_t i = 0; i < textures.size(); ++i) {
@@ -35,11 +35,13 @@ std::vector<vec4> textureTexels(const std::vector<Texture>& textures) {
             record[0] = vec4(bits(checker->inWorld ? shared::kTextureCheckerWorld : shared::kTextureCheckerUv),
                              vec3(checker->colors[0]));
             record[1] = vec4(static_cast<float>(1 / checker->size), vec3(checker->colors[1]));
+            record[2] = vec4(vec3(glm::mod(origin / checker->size, 2.0)), 0); // the colours repeat after two cells
             continue;
         }
         if (const auto* custom = std::get_if<CustomTexture>(&textures[i].model)) {
             record[0] = vec4(bits(shared::kTextureCustom), bits(customNumber++), vec2(0));
             record[1] = vec4(custom->parameters);
+            record[2] = vec4(vec3(origin), 0);
             continue;
         }
         const Image& image = *std::get<ImageTexture>(textures[i].model).image;

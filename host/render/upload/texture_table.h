@@ -14,7 +14,7 @@ namespace hyalite::render {
 [[nodiscard]] bool hasTextures(const Scene& scene);
 
 // The texture table: all textures, then the texels of the images.
-[[nodiscard]] std::vector<glm::vec4> textureTexels(const std::vector<Texture>& textures);
+[[nodiscard]] std::vector<glm::vec4> textureTexels(const std::vector<Texture>& textures, const glm::dvec3& origin);
 
 // The table of texture coordinates, triangle by triangle in the order of MeshTables; 0 in meshes that have none.
 [[nodiscard]] std::vector<glm::vec4> coordinateTexels(const std::vector<Mesh>& meshes, const MeshTables& tables);

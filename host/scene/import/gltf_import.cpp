@@ -173,19 +173,22 @@ private:
     std::map<std::array<std::int64_t, 5>, std::size_t> known_;
 };
 
-// Appends a mesh under a transform; with `smooth`, a mesh without normals gets those of its faces.
-void append(const Mesh& part, const glm::dmat4& toFile, bool smooth, Mesh& mesh) {
+// Appends a mesh under a transform, its positions to `positions`; with `smooth`, a mesh without normals gets those of
+// its faces.
+void append(const Mesh& part, const glm::dmat4& toFile, bool smooth, std::vector<glm::dvec3>& positions, Mesh& mesh) {
     const glm::dmat3 linear(toFile);
     const glm::dmat3 normalMap = glm::transpose(glm::inverse(linear));
     const bool isMirrored = glm::determinant(linear) < 0;
-    const auto place = [&](const glm::vec3& position) { return glm::vec3(toFile * glm::dvec4(position, 1)); };
+    const auto place = [&](const glm::vec3& position) {
+        return glm::dvec3(toFile * glm::dvec4(part.origin + glm::dvec3(position), 1));
+    };
     const auto add = [&](glm::uvec3 triangle) { // a reflection reverses the orientation of triangles
         mesh.triangles.push_back(isMirrored ? glm::uvec3(triangle.x, triangle.z, triangle.y) : triangle);
     };
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    const auto first = static_cast<std::uint32_t>(positions.size());
     if (!smooth || !part.normals.empty()) {
         for (std::size_t i = 0; i < part.positions.size(); ++i) {
-            mesh.positions.push_back(place(part.positions[i]));
+            positions.push_back(place(part.positions[i]));
             if (smooth) {
                 mesh.normals.emplace_back(glm::normalize(normalMap * glm::dvec3(part.normals[i])));
             }
@@ -200,9 +203,9 @@ void append(const Mesh& part, const glm::dmat4& toFile, bool smooth, Mesh& mesh)
         const glm::dvec3 area =
             glm::cross(glm::dvec3(part.positions[triangle.y]) - a, glm::dvec3(part.positions[triangle.z]) - a);
         const glm::dvec3 normal = normalMap * area;
-        const auto corner = static_cast<std::uint32_t>(mesh.positions.size());
+        const auto corner = static_cast<std::uint32_t>(positions.size());
         for (int k = 0; k < 3; ++k) {
-            mesh.positions.push_back(place(part.positions[triangle[k]]));
+            positions.push_back(place(part.positions[triangle[k]]));
             mesh.normals.emplace_back(glm::length(normal) > 0 ? glm::normalize(normal) : glm::dvec3(0, 0, 1));
         }
         add({corner, corner + 1, corner + 2});
@@ -232,14 +235,16 @@ Mesh mergeParts(const ImportedFile& file) {
         triangles += file.meshes[part.mesh].triangles.size();
     }
     checkTriangleCount(triangles, mesh.file); // shared meshes count each time
+    std::vector<glm::dvec3> positions;
     for (const ImportedPart& part : file.parts) {
         if (!isInvertible(part.toFile)) {
             throw Error(ExitCode::BadInput, SourceLocation{.file = mesh.file},
                         part.name + ": the transform of this part is singular: it has no inverse",
                         "a part that has no volume is no part of a solid: remove it, or scale it by another factor");
         }
-        append(file.meshes[part.mesh], part.toFile, isSmooth, mesh);
+        append(file.meshes[part.mesh], part.toFile, isSmooth, positions, mesh);
     }
+    setPositions(mesh, positions);
     return mesh;
 }
 

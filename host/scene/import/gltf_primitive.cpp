@@ -80,19 +80,21 @@ std::optional<GltfAccessor> findAttribute(GltfDocument& document, const GltfValu
 }
 
 void readPositions(const GltfAccessor& accessor, const std::vector<std::uint32_t>& used, Mesh& mesh) {
-    mesh.positions.reserve(used.size());
+    std::vector<glm::dvec3> placed;
+    placed.reserve(used.size());
     for (const std::uint32_t vertex : used) {
-        glm::vec3 position;
+        glm::dvec3 position;
         for (int axis = 0; axis < 3; ++axis) {
             const double value = accessor.component(vertex, static_cast<std::size_t>(axis));
             if (!isMeshCoordinate(value)) {
                 accessor.fail(vertex, std::isfinite(value) ? "the coordinate is too large"
                                                            : "a coordinate is not a finite number");
             }
-            position[axis] = static_cast<float>(value);
+            position[axis] = value;
         }
-        mesh.positions.push_back(position);
+        placed.push_back(position);
     }
+    setPositions(mesh, placed);
 }
 
 void readNormals(const GltfAccessor& accessor, const std::vector<std::uint32_t>& used, Mesh& mesh) {

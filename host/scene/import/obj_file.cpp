@@ -36,7 +36,7 @@ public:
                 soup_.positions.push_back(coordinates());
             } else if (keyword == "vn") {
                 checkCount({3});
-                soup_.normals.push_back(coordinates());
+                soup_.normals.emplace_back(coordinates());
             } else if (keyword == "vt") {
                 checkCount({1, 2, 3});
                 soup_.uvs.push_back(textureCoordinates());
@@ -91,8 +91,8 @@ private:
         }
     }
 
-    [[nodiscard]] glm::vec3 coordinates() const {
-        glm::vec3 value;
+    [[nodiscard]] glm::dvec3 coordinates() const {
+        glm::dvec3 value;
         for (int axis = 0; axis < 3; ++axis) {
             const Word& word = words_[static_cast<std::size_t>(axis) + 1];
             const auto number = parseNumber(word.text);
@@ -102,7 +102,7 @@ private:
             if (!isMeshCoordinate(*number)) {
                 failCoordinate(*number, at(word), {});
             }
-            value[axis] = static_cast<float>(*number);
+            value[axis] = *number;
         }
         return value;
     }

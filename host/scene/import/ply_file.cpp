@@ -64,7 +64,7 @@ void readVertices(PlyBody& body, const PlyElement& element, const std::string& f
     soup.uvs.reserve(hasUvs ? element.count : 0);
     for (std::size_t i = 0; i < element.count; ++i) {
         body.beginElement(element, i);
-        std::array<float, kVertexNumbers.size()> values{};
+        std::array<double, kVertexNumbers.size()> values{};
         for (std::size_t k = 0; k < roles.size(); ++k) {
             const PlyProperty& property = element.properties[k];
             if (roles[k] == kNotAsked) {
@@ -74,7 +74,7 @@ void readVertices(PlyBody& body, const PlyElement& element, const std::string& f
                 if (!isMeshCoordinate(value)) {
                     failCoordinate(value, body.where(), body.of());
                 }
-                values[roles[k]] = static_cast<float>(value);
+                values[roles[k]] = value;
             }
         }
         body.endElement();

@@ -2,6 +2,7 @@
 #include "scene/import/polygon_soup.h"
 
 #include "base/numbers.h"
+#include "scene/model/recentre.h"
 #include "scene/model/scene_limits.h"
 
 #include <algorithm>
@@ -30,10 +31,21 @@ struct VertexHash {
     }
 };
 
+// Where the coordinates of these points should start, so that floats resolve them.
+glm::dvec3 originOf(std::span<const glm::dvec3> positions) {
+    Bounds box;
+    for (const glm::dvec3& position : positions) {
+        box.add(position);
+    }
+    return positions.empty() ? glm::dvec3(0)
+                             : originNear(0.5 * (box.low + box.high), glm::length(box.high - box.low) / 2);
+}
+
 class MeshBuilder {
 public:
     MeshBuilder(PolygonSoup soup, const std::string& file) : soup_(std::move(soup)) {
         mesh_.file = file;
+        mesh_.origin = originOf(soup_.positions);
         const auto hasNormal = [](const Corner& corner) { return corner.normal != kNoNormal; };
         const auto hasOwnNormal = [](const Corner& corner) { return corner.normal == corner.position; };
         const auto hasUv = [](const Corner& corner) { return corner.uv != kNoUv; };
@@ -62,7 +74,7 @@ public:
             begin = polygon.end;
         }
         if (numbersMatch_) {
-            mesh_.positions = std::move(soup_.positions);
+            setPositions(mesh_, soup_.positions);
             mesh_.uvs = hasUvs_ ? std::move(soup_.uvs) : std::vector<glm::vec2>();
             mendUnusedNormals();
         }
@@ -155,7 +167,7 @@ private:
         const Vertex key{corner.position, normalIndex, corner.uv};
         const auto [found, isNew] = indices_.try_emplace(key, static_cast<std::uint32_t>(mesh_.positions.size()));
         if (isNew) {
-            mesh_.positions.push_back(soup_.positions[corner.position]);
+            mesh_.positions.emplace_back(soup_.positions[corner.position] - mesh_.origin);
             if (isSmooth_) {
                 mesh_.normals.push_back(corner.normal == kNoNormal ? flatDirection(area) : unitNormal(polygon, corner));
             }
@@ -198,6 +210,14 @@ private:
 
 Mesh buildMesh(PolygonSoup soup, const std::string& file) {
     return MeshBuilder(std::move(soup), file).build();
+}
+
+void setPositions(Mesh& mesh, std::span<const glm::dvec3> positions) {
+    mesh.origin = originOf(positions);
+    mesh.positions.reserve(positions.size());
+    for (const glm::dvec3& position : positions) {
+        mesh.positions.emplace_back(position - mesh.origin);
+    }
 }
 
 void checkTriangleCount(std::size_t count, const std::string& file) {

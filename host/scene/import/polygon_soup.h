@@ -6,6 +6,7 @@
 #include "scene/model/scene.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace hyalite {
@@ -25,11 +26,11 @@ struct Polygon {
 };
 
 struct PolygonSoup {
-    std::vector<glm::vec3> positions; // object space [m], finite
-    std::vector<glm::vec3> normals;   // of any length
-    std::vector<glm::vec2> uvs;       // finite
-    std::vector<Corner> corners;      // indices in range
-    std::vector<Polygon> polygons;    // three corners or more
+    std::vector<glm::dvec3> positions; // object space [m], finite
+    std::vector<glm::vec3> normals;    // of any length
+    std::vector<glm::vec2> uvs;        // finite
+    std::vector<Corner> corners;       // indices in range
+    std::vector<Polygon> polygons;     // three corners or more
 };
 
 // Splits every polygon into a fan of triangles and gives every corner one index: where corners carry normals or texture
@@ -38,6 +39,9 @@ struct PolygonSoup {
 // Throws Error(BadInput) at a polygon that no fan covers (it is not convex), at a zero normal, when there is no
 // polygon and when there are too many.
 [[nodiscard]] Mesh buildMesh(PolygonSoup soup, const std::string& file);
+
+// Sets the positions of a mesh, given in the file's coordinates [m], and its origin (see originNear in recentre.h).
+void setPositions(Mesh& mesh, std::span<const glm::dvec3> positions);
 
 // Throws Error(BadInput) for a count of 0, and for one beyond kMostTriangles.
 void checkTriangleCount(std::size_t count, const std::string& file);

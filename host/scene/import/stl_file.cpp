@@ -32,7 +32,8 @@ bool isBinary(std::string_view bytes) {
            bytes.find('\0') != std::string_view::npos;
 }
 
-Mesh parseBinary(std::string_view bytes, const std::string& file) {
+// Both parsers return the corners, three a triangle.
+std::vector<glm::dvec3> parseBinary(std::string_view bytes, const std::string& file) {
     const auto fail = [&](const std::string& what, const std::string& hint) {
         throw Error(ExitCode::BadInput, SourceLocation{file, 0, 0}, what, hint);
     };
@@ -49,9 +50,8 @@ Mesh parseBinary(std::string_view bytes, const std::string& file) {
     }
     checkTriangleCount(count, file);
 
-    Mesh mesh;
-    mesh.file = file;
-    mesh.positions.reserve(3 * count);
+    std::vector<glm::dvec3> corners;
+    corners.reserve(3 * count);
     for (std::size_t triangle = 0; triangle < count; ++triangle) {
         std::size_t at = kTrianglesAt + triangle * kTriangleBytes + kCornersAt;
         for (int corner = 0; corner < 3; ++corner) {
@@ -63,17 +63,17 @@ Mesh parseBinary(std::string_view bytes, const std::string& file) {
                                    "triangle " + std::to_string(triangle + 1) + ", byte " + std::to_string(at) + ": ");
                 }
             }
-            mesh.positions.push_back(position);
+            corners.emplace_back(position);
         }
     }
-    return mesh;
+    return corners;
 }
 
 class TextParser {
 public:
-    TextParser(std::string_view bytes, std::string file) : bytes_(bytes) { mesh_.file = std::move(file); }
+    TextParser(std::string_view bytes, std::string file) : bytes_(bytes), file_(std::move(file)) {}
 
-    Mesh parse() {
+    std::vector<glm::dvec3> parse() {
         for (std::string word = keyword(); !word.empty(); word = keyword()) { // some programs write several solids
             expect("solid", word);
             skipLine(); // its name
@@ -83,8 +83,8 @@ public:
             expect("endsolid", word);
             skipLine();
         }
-        checkTriangleCount(mesh_.positions.size() / 3, mesh_.file);
-        return std::move(mesh_);
+        checkTriangleCount(corners_.size() / 3, file_);
+        return std::move(corners_);
     }
 
 private:
@@ -99,15 +99,15 @@ private:
         expect("loop", keyword());
         for (int corner = 0; corner < 3; ++corner) {
             expect("vertex", keyword());
-            glm::vec3 position;
+            glm::dvec3 position;
             for (int axis = 0; axis < 3; ++axis) {
                 const double value = number();
                 if (!isMeshCoordinate(value)) {
                     failCoordinate(value, where(), {});
                 }
-                position[axis] = static_cast<float>(value);
+                position[axis] = value;
             }
-            mesh_.positions.push_back(position);
+            corners_.push_back(position);
         }
         expect("endloop", keyword());
         expect("endfacet", keyword());
@@ -135,7 +135,7 @@ private:
         return word.empty() ? "the end of the file" : inQuotes(word);
     }
 
-    [[nodiscard]] SourceLocation where() const { return {mesh_.file, line_, static_cast<int>(word_ - lineBegin_) + 1}; }
+    [[nodiscard]] SourceLocation where() const { return {file_, line_, static_cast<int>(word_ - lineBegin_) + 1}; }
     [[noreturn]] void fail(const std::string& what) const { throw Error(ExitCode::BadInput, where(), what); }
 
     std::string_view next() {
@@ -155,7 +155,8 @@ private:
     void skipLine() { at_ = std::min(bytes_.find('\n', at_), bytes_.size()); }
 
     std::string_view bytes_;
-    Mesh mesh_; // three positions a triangle
+    std::string file_;
+    std::vector<glm::dvec3> corners_;
     std::size_t at_ = 0;
     std::size_t word_ = 0; // where the last word begins
     std::size_t lineBegin_ = 0;
@@ -165,7 +166,9 @@ private:
 } // namespace
 
 Mesh parseStl(std::string_view bytes, const std::string& file) {
-    Mesh mesh = isBinary(bytes) ? parseBinary(bytes, file) : TextParser(bytes, file).parse();
+    Mesh mesh;
+    mesh.file = file;
+    setPositions(mesh, isBinary(bytes) ? parseBinary(bytes, file) : TextParser(bytes, file).parse());
     const auto corners = static_cast<std::uint32_t>(mesh.positions.size());
     mesh.triangles.reserve(corners / 3);
     for (std::uint32_t corner = 0; corner < corners; corner += 3) {

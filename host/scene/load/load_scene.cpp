@@ -8,6 +8,7 @@
 #include "scene/load/read_materials.h"
 #include "scene/load/read_shapes.h"
 #include "scene/model/bounds.h"
+#include "scene/model/recentre.h"
 #include "scene/model/scene_limits.h"
 #include "scene/yaml/find_material.h"
 #include "scene/yaml/mesh_library.h"
@@ -183,6 +184,7 @@ void readScene(const Value& root, const std::filesystem::path& folder, Scene& sc
     checkScene(root, scene);
     checkTextures(scene);
     reference::checkMediaDepth(scene);
+    recentre(scene);
 }
 
 } // namespace

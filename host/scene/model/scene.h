@@ -223,6 +223,7 @@ struct Object {
 
 struct Mesh {
     std::string file;
+    glm::dvec3 origin{0};              // in the file's coordinates: what positions are relative to [m]
     std::vector<glm::vec3> positions;  // object space [m]
     std::vector<glm::vec3> normals;    // per position, unit; empty: flat shading
     std::vector<glm::uvec3> triangles; // indices into positions, counter-clockwise seen from the front
@@ -232,6 +233,7 @@ struct Mesh {
 
 struct Scene {
     std::string file;
+    glm::dvec3 origin{0}; // in world coordinates: what all positions of the scene are relative to [m]; see recentre.h
     Camera camera;
     RenderSettings render;
     std::vector<Texture> textures;

@@ -3,6 +3,7 @@
 
 #include "base/spelling.h"
 #include "scene/model/integrators.h"
+#include "scene/model/recentre.h"
 #include "scene/model/scene_limits.h"
 #include "scene/yaml/settings_table.h"
 
@@ -155,7 +156,7 @@ void readRenderSettings(const Value& value, RenderSettings& render) {
 }
 
 void applySettings(Scene& scene, std::span<const SettingAssignment> assignments) {
-    Settings settings{scene.camera, scene.render};
+    Settings settings{inWorld(scene.camera, scene), scene.render};
     try {
         for (const SettingAssignment& assignment : assignments) {
             assign(assignment, settings);
@@ -164,7 +165,7 @@ void applySettings(Scene& scene, std::span<const SettingAssignment> assignments)
     } catch (const Error& error) { // the mistake is on the command line, not in a file
         throw Error(ExitCode::WrongUsage, error.where(), error.message(), error.hint());
     }
-    scene.camera = settings.camera;
+    scene.camera = inScene(settings.camera, scene);
     scene.render = settings.render;
 }
 

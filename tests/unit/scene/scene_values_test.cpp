@@ -92,12 +92,14 @@ TEST_CASE("the default scene is the Cornell box that other renderers were measur
     CHECK_THAT(sceneRadius(scene), WithinRel(std::sqrt(3.0), 1e-15));
 }
 
-TEST_CASE("every shipped scene loads") {
+TEST_CASE("every shipped scene loads, and stays where it is unless its name says that it is far away") {
     int count = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(kSourceFolder / "scenes")) {
         if (entry.path().extension() == ".yaml") {
             INFO(entry.path());
-            CHECK_FALSE(loadScene(entry.path()).objects.empty());
+            const Scene scene = loadScene(entry.path());
+            CHECK_FALSE(scene.objects.empty());
+            CHECK((scene.origin != glm::dvec3(0)) == entry.path().filename().string().starts_with("far-"));
             ++count;
         }
     }
