@@ -62,7 +62,8 @@ private:
         for (const shared::Photon& photon : render::storedPhotons(paths_.photons(), slots)) {
             positions.emplace_back(photon.position);
         }
-        return searchRadiusFor(kPhotonsPerSearch, positions, count, options_.photons, sceneRadius(scene_));
+        return searchRadiusFor(kPhotonsPerSearch, positions, count, options_.photons,
+                               {.sceneRadius = sceneRadius(scene_)});
     }
 
     void findVisiblePoints() {
@@ -90,7 +91,8 @@ private:
             device_.commands.run(gather,
                                  shared::GatherRadianceArguments{points_, deviceScene_.materials, grid.cellStarts(),
                                                                  gathered_, grid.record(), radius, count,
-                                                                 scene_.render.maxDepth, deviceScene_.widthOf(count)},
+                                                                 scene_.render.maxDepth, deviceScene_.widthOf(count),
+                                                                 static_cast<float>(surfaceError(scene_))},
                                  count);
             device_.commands.finish();
         });
@@ -108,7 +110,8 @@ private:
         const render::PhotonSearch search{.nearest = kNearest,
                                           .radius = static_cast<float>(kLargestEstimate * sceneRadius(scene_)),
                                           .kinds = kKinds,
-                                          .maxDepth = scene_.render.maxDepth};
+                                          .maxDepth = scene_.render.maxDepth,
+                                          .surfaceError = static_cast<float>(surfaceError(scene_))};
         const auto count = static_cast<std::uint32_t>(points_.count());
         add("estimate", "points", count, [&] {
             estimate.run(device_, tree.map(), points_, count, search, {}, gathered_, radii_);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace hyalite {
@@ -22,6 +22,8 @@ public:
         : points_(points.begin(), points.end()), axes_(points.size()) {
         build(0, points_.size());
     }
+
+    [[nodiscard]] const glm::dvec3& point(std::size_t i) const { return points_[i]; }
 
     // Squared distance to the k-th nearest of the others, or to the farthest where there are fewer; 0 where there are
     // none.
@@ -84,29 +86,88 @@ double roundToEighthOctave(double x) {
     return std::exp2(std::round(8 * std::log2(x)) / 8);
 }
 
+// A point, and the distance to its k-th neighbour.
+struct Spacing {
+    glm::dvec3 point;
+    double distance;
+};
+
+// In the order of the tree.
+std::vector<Spacing> spacings(std::span<const glm::dvec3> points, std::size_t k) {
+    const PointTree tree(points);
+    std::vector<Spacing> result(points.size());
+    parallelFor(points.size(), 64, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const double distance2 = std::max(tree.distance2ToNeighbour(i, k), std::numeric_limits<double>::min());
+            result[i] = {tree.point(i), std::sqrt(distance2)};
+        }
+    });
+    return result;
+}
+
+// The value that a share of them does not exceed.
+double quantile(std::vector<double> values, double share) {
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+// The distance from each point to its k-th neighbour, times `scale`; at least the distance to the eye times `slope`,
+// and 2^-18 of the largest coordinate, which floats resolve.
+std::vector<double> radiiAround(std::span<const glm::dvec3> points, std::size_t k, double scale, double slope,
+                                const glm::dvec3& eye) {
+    std::vector<double> radii;
+    for (const Spacing& spacing : spacings(points, k)) {
+        const glm::dvec3 size = glm::abs(spacing.point);
+        radii.push_back(std::max({scale * spacing.distance, slope * glm::distance(spacing.point, eye),
+                                  0x1p-18 * std::max({size.x, size.y, size.z})}));
+    }
+    return radii;
+}
+
+// The neighbour whose distance is measured among so many points.
+std::size_t neighbourAmong(std::size_t count) {
+    return std::clamp<std::size_t>(count / 4, 1, kNeighbour);
+}
+
 } // namespace
 
 double typicalSpacing(std::span<const glm::dvec3> points, std::size_t k) {
-    const PointTree tree(points);
-    std::vector<double> logs(points.size());
-    parallelFor(points.size(), 64, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const double distance2 = tree.distance2ToNeighbour(i, k);
-            logs[i] = std::log(std::max(distance2, std::numeric_limits<double>::min())) / 2;
-        }
-    });
-    return std::exp(std::accumulate(logs.begin(), logs.end(), 0.0) / static_cast<double>(logs.size()));
+    std::vector<double> distances;
+    for (const Spacing& spacing : spacings(points, k)) {
+        distances.push_back(spacing.distance);
+    }
+    return quantile(std::move(distances), 0.5);
 }
 
 double searchRadiusFor(double wanted, std::span<const glm::dvec3> pilot, std::uint32_t pilotEmitted,
-                       std::uint32_t emitted, double sceneRadius) {
-    if (pilot.size() < 4 * kNeighbour) {
-        return sceneRadius / 100;
+                       std::uint32_t emitted, const RadiusBounds& bounds) {
+    if (pilot.size() < 4) {
+        return bounds.sceneRadius / 100;
     }
     // Photons lie on surfaces: their number within a radius goes as its square
+    const std::size_t k = neighbourAmong(pilot.size());
     const double more = static_cast<double>(emitted) / pilotEmitted;
-    const double radius = typicalSpacing(pilot, kNeighbour) * std::sqrt(wanted / (kNeighbour * more));
-    return roundToEighthOctave(std::clamp(radius, sceneRadius / 2000, sceneRadius / 20));
+    const double scale = std::sqrt(wanted / (static_cast<double>(k) * more));
+    const std::vector<double> radii = radiiAround(pilot, k, scale, bounds.footprint, bounds.eye);
+    return roundToEighthOctave(std::min(quantile(radii, 0.5), bounds.sceneRadius / 20));
+}
+
+double largestEstimateFor(std::size_t nearest, std::span<const glm::dvec3> photons, double largest,
+                          const RadiusBounds& bounds) {
+    if (photons.size() < 4) {
+        return largest;
+    }
+    // Every n-th photon stands for n: the spacing of all of them is less by the root of that
+    const std::size_t every = (photons.size() + kPilotPhotons - 1) / kPilotPhotons;
+    std::vector<glm::dvec3> some;
+    for (std::size_t i = 0; i < photons.size(); i += every) {
+        some.push_back(photons[i]);
+    }
+    const std::size_t k = neighbourAmong(some.size());
+    const double scale = std::sqrt(static_cast<double>(nearest) / static_cast<double>(k * every));
+    const std::vector<double> radii = radiiAround(some, k, scale, bounds.footprint, bounds.eye);
+    return std::min(largest, roundToEighthOctave(4 * quantile(radii, 0.5)));
 }
 
 } // namespace hyalite

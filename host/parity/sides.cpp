@@ -105,7 +105,8 @@ reference::VisiblePoint Sides::toTwin(const shared::VisiblePoint& x, Nudge nudge
             .depth = x.depth,
             .samplerSeed = x.samplerSeed,
             .quad = isObject ? std::get_if<Quad>(&world_.objects[objectOf_[left]].shape) : nullptr,
-            .media = media(x.media)};
+            .media = media(x.media),
+            .disk = isObject ? std::get_if<Disk>(&world_.objects[objectOf_[left]].shape) : nullptr};
 }
 
 bool Sides::reflects(const shared::VisiblePoint& x) const {
@@ -143,7 +144,8 @@ reference::Photon Sides::toTwin(const shared::Photon& photon) const {
             .photon = 0,
             .depth = hasLight ? 1 : length,
             .light = hasLight ? length : 0,
-            .kind = static_cast<reference::PhotonKind>(kind)};
+            .kind = static_cast<reference::PhotonKind>(kind),
+            .discRadius = double{std::bit_cast<float>(photon.direction << 2U)}};
 }
 
 const Material* Sides::material(std::uint32_t number) const {

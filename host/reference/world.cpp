@@ -158,6 +158,8 @@ World prepareWorld(const Scene& scene) {
                 .cameraPaths = integratorNamed(scene.render.integrator).cameraPaths,
                 .origin = scene.origin,
                 .sceneRadius = sceneRadius(scene),
+                .surfaceError = surfaceError(scene),
+                .pixelFootprint = pixelFootprint(scene.camera),
                 .globalRadius = globalSearchRadius(scene),
                 .causticRadius = causticSearchRadius(scene),
                 .targets = specularTargets(scene),
@@ -240,6 +242,7 @@ Surface evaluateSurface(const World& world, const Ray& ray, const Hit& hit) {
         surface.emission = object.emission;
     }
     surface.quad = std::get_if<Quad>(&object.shape);
+    surface.disk = std::get_if<Disk>(&object.shape);
     const auto& material = hit.leaf == kNoLeaf ? object.material : world.csgLeaves.at(hit.leaf).material;
     if (material) {
         surface.material = &world.materials.at(*material);

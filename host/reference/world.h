@@ -31,6 +31,8 @@ struct World {
     bool hasStraightGlass = false;       // see lights/shadow.h
     glm::dvec3 origin{0};                // see Scene::origin
     double sceneRadius = 0;              // of the sphere around all bounded objects [m]
+    double surfaceError = 0;             // of positions on surfaces, as the device has them [m]
+    double pixelFootprint = 0;           // width of a pixel over the distance from the camera
     double globalRadius = 0;             // photonmap: largest search radius for the global map [m]
     double causticRadius = 0;            // photonmap: the same for the caustic map [m]
     std::vector<BoundingSphere> targets; // of the caustic photons
@@ -83,6 +85,7 @@ struct Surface {
     glm::dvec2 uv{0};                   // for textures
     glm::dvec3 emission{0};             // radiance towards the ray's origin [W/(m^2 sr)]
     const Quad* quad = nullptr;         // of the world: the parallelogram under this point; nullptr: another shape
+    const Disk* disk = nullptr;         // likewise, the disk
 };
 // The index of its material in World::materials; it must have one.
 [[nodiscard]] std::size_t materialNumber(const World& world, const Surface& surface);

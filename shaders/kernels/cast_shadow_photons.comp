@@ -38,7 +38,7 @@ void main() {
         hasDiffusePart(texturedMaterial(args.materials.at[s.material], s.position, s.uv))) {
         args.photons.at[slot] =
             Photon(s.position, packUnitVector(-ray.direction, kDirectionBits), vec3(0.0),
-                   packSurface(s.normal, path.kind, path.light));
+                   packSurface(s.geometricNormal, path.kind, path.light));
     }
     path.kind = kPhotonShadow;
     args.nextRays.at[i] = leaveSurface(s, ray.direction, true);

@@ -25,7 +25,9 @@ void main() {
         return;
     }
     uint kinds = (1u << kPhotonDirect) | (1u << kPhotonShadow);
-    findNearest(args.map, NearestQuery(x.position, x.normal, args.radius, args.nearest, kinds, 0u, kMaxDepth));
+    findNearest(args.map, NearestQuery(x.position, tangentAt(x.position, x.geometricNormal, args.surfaceError),
+                                       args.radius, args.nearest, kinds, 0u, kMaxDepth,
+                                       false));
     uint direct[kMostClassifiedLights];
     uint shadow[kMostClassifiedLights];
     for (uint light = 0u; light < kMostClassifiedLights; ++light) {

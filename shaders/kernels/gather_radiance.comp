@@ -28,22 +28,21 @@ uint nearPhotons(vec3 position, uint first, uint count) {
 
 // Flux of the photon times the transmittance of any layer over the diffuse part, if the photon counts for x, else 0.
 // The photon is within the radius.
-vec3 photonFlux(VisiblePoint x, Receiver receiver, vec3 normal, uint photon) {
+vec3 photonFlux(VisiblePoint x, Receiver receiver, Tangent tangent, Edge edge, uint photon) {
     vec4 place = texelFetch(photonTable, int(2u * photon));
     vec3 offset = place.xyz - x.position;
-    if (abs(dot(offset, normal)) > kPlaneDistance * args.radius) {
-        return vec3(0.0);
-    }
     vec4 rest = texelFetch(photonTable, int(2u * photon + 1u));
     uint surface = floatBitsToUint(rest.w);
     uint direction = floatBitsToUint(place.w);
-    if (!onSameSide(x.normal, direction, surface) || photonLength(surface) + x.depth > args.maxDepth) {
+    bool isFar = abs(dot(offset, tangent.normal)) > kPlaneDistance * args.radius;
+    if (isFar || !onSameSurface(tangent, offset, surface) || !onSameSide(tangent.normal, direction) || photonLength(surface) + x.depth > args.maxDepth ||
+        !isOnShape(edge, place.xyz)) {
         return vec3(0.0);
     }
     if (!receiver.isLayered) {
         return rest.xyz;
     }
-    return rest.xyz * incidentFactor(receiver, dot(normalize(unpackDirection(direction, kDirectionBits)), x.normal));
+    return rest.xyz * incidentFactor(receiver, clamp(dot(normalize(unpackDirection(direction, kDirectionBits)), x.normal), 0.0, 1.0));
 }
 
 void main() {
@@ -53,11 +52,14 @@ void main() {
     }
     VisiblePoint x = args.visiblePoints.at[i];
     Receiver receiver;
+    Edge edge;
+    Tangent tangent;
     vec3 flux = vec3(0.0);
     if (x.depth != 0u) {
-        vec3 normal = normalize(unpackDirection(x.geometricNormal, 16u));
+        tangent = tangentAt(x.position, x.geometricNormal, args.surfaceError);
         receiver = receiverAt(x, args.materials);
-        CellWalk walk = walkCells(x.position, args.radius, args.radius * discExtent(normal), args.grid);
+        edge = edgeAround(x.position, x.from, args.radius);
+        CellWalk walk = walkCells(x.position, args.radius, args.radius * discExtent(tangent.normal), args.grid);
         uint photon = 0u, end = 0u;
         // Row by row: neighbouring threads stay in step because their discs, and so their rows, are nearly the same.
         // Only one photon in five is within the radius, but a different one for each thread of a subgroup: each thread
@@ -67,7 +69,7 @@ void main() {
                 uint chunk = min(end - photon, 32u);
                 uint near = nearPhotons(x.position, photon, chunk);
                 while (near != 0u) {
-                    flux += photonFlux(x, receiver, normal, photon + findLSB(near));
+                    flux += photonFlux(x, receiver, tangent, edge, photon + findLSB(near));
                     near &= near - 1u;
                 }
                 photon += chunk;
@@ -75,5 +77,5 @@ void main() {
         }
     }
     bool found = maxComponent(flux) > 0.0;
-    args.gathered.at[i] = found ? receiver.f * flux / discArea(x.position, x.from, args.radius) : vec3(0.0);
+    args.gathered.at[i] = found ? receiver.f * flux / discArea(edge, x.position, tangent.normal, args.radius) : vec3(0.0);
 }

@@ -19,8 +19,9 @@ void main() {
     VisiblePoint x = args.visiblePoints.at[i];
     heapCount = 0u;
     if (x.depth != 0u) {
-        NearestQuery query =
-            NearestQuery(x.position, x.normal, args.radius, args.nearest, args.kinds, x.depth, args.maxDepth);
+        NearestQuery query = NearestQuery(x.position, tangentAt(x.position, x.geometricNormal, args.surfaceError),
+                                       args.radius, args.nearest, args.kinds, x.depth,
+                                          args.maxDepth, false);
         findNearest(args.map, query);
         sortNearest(args.map, query);
     }

@@ -19,15 +19,38 @@
 
 layout(push_constant, scalar) uniform Push { ScatterPhotonArguments args; };
 
+// Most that a photon's flux grows because of a smoothed normal: photons that graze the surface are few and would be
+// too heavy.
+const float kMostSmoothing = 32.0;
+
 bool isWanted(uint kind) {
     return ((args.kinds >> kind) & 1u) != 0u;
+}
+
+// Photons land on a surface in proportion to the cosine at its geometric normal; light that is sampled directly counts
+// by the cosine at the smoothed normal. Their ratio turns one into the other. 1 where the two normals are the same.
+float arrivalFactor(Surface s, vec3 wo) {
+    return min(max(0.0, dot(wo, s.normal)) / max(dot(wo, s.geometricNormal), kTiny), kMostSmoothing);
+}
+
+// The same for a lobe, with the inverse ratio for the direction that the photon leaves in: then photons carry what camera
+// paths find in the opposite direction [Veach97, sec. 5.3].
+float lobeFactor(Surface s, vec3 wo, vec3 wi) {
+    float at = abs(dot(wo, s.normal) * dot(wi, s.geometricNormal));
+    float geometric = abs(dot(wo, s.geometricNormal) * dot(wi, s.normal));
+    return min(at / max(geometric, kTiny), kMostSmoothing);
+}
+
+bool isSmoothed(Surface s) {
+    return s.normal != s.geometricNormal;
 }
 
 void store(uint slot, Surface s, vec3 direction, PhotonPath path) {
     bool marked = (path.photon + args.depth) % kMarkEvery == 0u;
     uint mark = marked ? kMarkedPhoton : 0u;
-    args.photons.at[slot] = Photon(s.position, packUnitVector(-direction, kDirectionBits) | mark, path.power,
-                                   packSurface(s.normal, path.kind,
+    args.photons.at[slot] = Photon(s.position, packUnitVector(-direction, kDirectionBits) | mark,
+                                   isSmoothed(s) ? path.power * arrivalFactor(s, -direction) : path.power,
+                                   packSurface(s.geometricNormal, path.kind,
                                                path.kind == kPhotonDirect ? path.light : args.depth));
 }
 
@@ -55,12 +78,18 @@ vec3 scatter(uint i, Surface s, MaterialRecord material, Lobe lobe, vec3 wo, Pho
         next = sampleLobe(lobe, s.normal, s.geometricNormal, wo, u, roulette.y, kFlux);
         next.weight /= probability;
         next.weight /= ofLobe;
+        next.weight *= isSmoothed(s) ? lobeFactor(s, wo, next.direction) : 1.0;
         kind = path.kind == kPhotonDirect ? kPhotonCaustic : path.kind; // until it hits a diffuse surface
     } else {
         if (!isWanted(kPhotonIndirect)) {
             return vec3(0.0);
         }
-        next = sampleDiffuse(material, s.normal, cosIn, u, 1.0 - probability);
+        // Radiance leaves in all directions alike, and so flux by the cosine at the geometric normal
+        next = sampleDiffuse(material, s.geometricNormal, cosIn, u, 1.0 - probability);
+        if (isSmoothed(s)) {
+            next.weight *= arrivalFactor(s, wo) * overDiffuse(material, clamp(dot(next.direction, s.normal), 0.0, 1.0)) /
+                           overDiffuse(material, dot(next.direction, s.geometricNormal));
+        }
         kind = kPhotonIndirect;
     }
     float survival = min(1.0, maxComponent(next.weight));

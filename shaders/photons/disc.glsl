@@ -35,31 +35,88 @@ float twiceTriangleInDisc(vec3 n, vec3 a, vec3 b, float radius) {
     return area;
 }
 
-// Area [m^2] of the part of the disc that lies on the surface around a point; the point's rays left `from` (see Ray).
-// Exact on parallelograms; elsewhere the area of the whole disc.
-float discArea(vec3 position, uint from, float radius) {
-    float whole = kPi * radius * radius;
+// Area [m^2] that discs of the radii r and s share, their centres d apart: two sectors less the kite of the centres and
+// the crossings of the rims.
+float sharedArea(float r, float s, float d) {
+    if (d + r <= s || d + s <= r) {
+        return kPi * min(r, s) * min(r, s);
+    }
+    float a = 0.5 * (d + (r - s) * (r + s) / d); // from the first centre to the chord
+    float h = sqrt(max(0.0, (r - a) * (r + a))); // half of the chord
+    return 2.0 * kPi * (r * r * angleInTurns(h, a) + s * s * angleInTurns(h, d - a)) - d * h;
+}
+
+// The edge of the flat shape under a point, if it cuts the disc around it. Photons beyond it lie on another object, in the
+// same plane or not: neither they nor the part of the disc there count.
+struct Edge {
+    bool isRound; // of a disk, else of a parallelogram
+    bool cuts;    // false: all of the disc lies on the shape, or the shape is not one of these
+    vec4 uRow;    // coordinates in the plane: of a disk from -1 to 1, of a parallelogram from 0 to 1
+    vec4 vRow;
+};
+
+vec2 coordinatesOn(Edge edge, vec3 position) {
+    return vec2(dot(edge.uRow.xyz, position) + edge.uRow.w, dot(edge.vRow.xyz, position) + edge.vRow.w);
+}
+
+// The point's rays left `from` (see Ray). A disk stretched to an ellipse has no edge here.
+Edge edgeAround(vec3 position, uint from, float radius) {
+    Edge edge = Edge(false, false, vec4(0.0), vec4(0.0));
     uint object = (from & ~kRayInside) - 1u;
-    if (!sceneHas(kShapeQuad) || from == 0u || !isShape(objectHeader(object).type, kShapeQuad)) {
+    if (!(sceneHas(kShapeQuad) || sceneHas(kShapeDisk)) || from == 0u) {
+        return edge;
+    }
+    uint type = objectHeader(object).type;
+    edge.isRound = isShape(type, kShapeDisk);
+    if (!edge.isRound && !isShape(type, kShapeQuad)) {
+        return edge;
+    }
+    edge.uRow = objectTexel(object, 1u);
+    edge.vRow = objectTexel(object, 2u);
+    vec2 uv = coordinatesOn(edge, position);
+    if (edge.isRound) {
+        float u2 = dot(edge.uRow.xyz, edge.uRow.xyz);
+        float v2 = dot(edge.vRow.xyz, edge.vRow.xyz);
+        bool isCircle = abs(dot(edge.uRow.xyz, edge.vRow.xyz)) + abs(u2 - v2) < 1.0e-4 * u2;
+        edge.cuts = isCircle && length(uv) + radius * sqrt(u2) > 1.0;
+    } else {
+        vec2 reach = radius * vec2(length(edge.uRow.xyz), length(edge.vRow.xyz));
+        edge.cuts = !(all(greaterThan(uv, reach)) && all(lessThan(uv, 1.0 - reach)));
+    }
+    return edge;
+}
+
+// Does a photon lie on the shape?
+bool isOnShape(Edge edge, vec3 position) {
+    if (!edge.cuts) {
+        return true;
+    }
+    vec2 uv = coordinatesOn(edge, position);
+    const float rounding = 1.0e-6;
+    return edge.isRound ? dot(uv, uv) <= 1.0 + rounding
+                        : all(greaterThanEqual(uv, vec2(-rounding))) && all(lessThanEqual(uv, vec2(1.0 + rounding)));
+}
+
+// Area [m^2] of the part of the disc around a point that lies on the shape; `normal`: of the plane.
+float discArea(Edge edge, vec3 position, vec3 normal, float radius) {
+    float whole = kPi * radius * radius;
+    if (!edge.cuts) {
         return whole;
     }
-    vec4 uRow = objectTexel(object, 1u);
-    vec4 vRow = objectTexel(object, 2u);
-    vec2 uv = vec2(dot(uRow.xyz, position) + uRow.w, dot(vRow.xyz, position) + vRow.w);
-    vec2 reach = radius * vec2(length(uRow.xyz), length(vRow.xyz));
-    if (all(greaterThan(uv, reach)) && all(lessThan(uv, 1.0 - reach))) {
-        return whole;
+    vec2 uv = coordinatesOn(edge, position);
+    if (edge.isRound) {
+        float rim = 1.0 / sqrt(dot(edge.uRow.xyz, edge.uRow.xyz));
+        return clamp(sharedArea(radius, rim, rim * length(uv)), kLeastShareOfDisc * whole, whole);
     }
-    vec3 n = objectTexel(object, 0u).xyz;
-    vec3 edge0 = cross(vRow.xyz, n);
-    vec3 edge1 = cross(n, uRow.xyz);
-    edge0 /= dot(uRow.xyz, edge0);
-    edge1 /= dot(vRow.xyz, edge1);
+    vec3 edge0 = cross(edge.vRow.xyz, normal);
+    vec3 edge1 = cross(normal, edge.uRow.xyz);
+    edge0 /= dot(edge.uRow.xyz, edge0);
+    edge1 /= dot(edge.vRow.xyz, edge1);
     vec3 corner = -(uv.x * edge0 + uv.y * edge1);
-    float twice = twiceTriangleInDisc(n, corner, corner + edge0, radius) +
-                  twiceTriangleInDisc(n, corner + edge0, corner + edge0 + edge1, radius) +
-                  twiceTriangleInDisc(n, corner + edge0 + edge1, corner + edge1, radius) +
-                  twiceTriangleInDisc(n, corner + edge1, corner, radius);
+    float twice = twiceTriangleInDisc(normal, corner, corner + edge0, radius) +
+                  twiceTriangleInDisc(normal, corner + edge0, corner + edge0 + edge1, radius) +
+                  twiceTriangleInDisc(normal, corner + edge0 + edge1, corner + edge1, radius) +
+                  twiceTriangleInDisc(normal, corner + edge1, corner, radius);
     return clamp(0.5 * abs(twice), kLeastShareOfDisc * whole, whole);
 }
 #endif

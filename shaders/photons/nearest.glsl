@@ -13,12 +13,13 @@ layout(constant_id = 6) const uint kPhotonStructure = kPhotonTree;
 
 struct NearestQuery {
     vec3 position;
-    vec3 normal;   // only photons that landed on this side count
-    float radius;  // [m]
+    Tangent tangent; // only photons that landed on this side of the same surface count
+    float radius;    // [m]
     uint nearest;  // number of photons, 1 … kNearestCapacity
     uint kinds;    // bit kPhoton… is set for every kind that counts
     uint depth;    // of the visible point
     uint maxDepth; // most segments of the photon's path and the camera's together
+    bool records;  // the map holds irradiance records: they count within their own discs
 };
 
 // The photons found so far. Once there are as many as requested, a heap with the farthest on top.
@@ -71,8 +72,16 @@ void sortNearest(PhotonMapRecord map, NearestQuery query) {
     }
 }
 
-bool counts(NearestQuery query, uint direction, uint surface) {
-    return onSameSide(query.normal, direction, surface) && ((query.kinds >> photonKind(surface)) & 1u) != 0u &&
+// Does the photon `way` from the place, at this squared distance, count?
+bool counts(NearestQuery query, vec3 way, float distance2, uint direction, uint surface) {
+    if (!onSameSurface(query.tangent, way, surface)) {
+        return false;
+    }
+    if (query.records) {
+        float radius = recordRadius(direction);
+        return distance2 <= radius * radius;
+    }
+    return onSameSide(query.tangent.normal, direction) && ((query.kinds >> photonKind(surface)) & 1u) != 0u &&
            photonLength(surface) + query.depth <= query.maxDepth;
 }
 
@@ -85,7 +94,7 @@ void offer(PhotonMapRecord map, NearestQuery query, uint photon, vec4 place) {
         return;
     }
     vec4 rest = texelFetch(photonTable, int(2u * (map.base + photon) + 1u));
-    if (!counts(query, floatBitsToUint(place.w), floatBitsToUint(rest.w))) {
+    if (!counts(query, way, distance2, floatBitsToUint(place.w), floatBitsToUint(rest.w))) {
         return;
     }
     if (full) {

@@ -307,7 +307,8 @@ struct GatherRadianceArguments {
     float radius; // search radius [m]
     uint count;
     uint maxDepth;
-    uint width; // of the picture if the threads are its pixels [pixels], see pixelOfThread; else 0
+    uint width;         // of the picture if the threads are its pixels [pixels], see pixelOfThread; else 0
+    float surfaceError; // of positions on surfaces, see errorAround [m]
 };
 
 // Searches at every visible point; points of depth 0 are skipped.
@@ -320,6 +321,7 @@ struct NearestPhotonsArguments {
     uint kinds;      // bit kPhoton… is set for every kind that counts
     uint count;
     uint maxDepth;
+    float surfaceError; // of positions on surfaces, see errorAround [m]
 };
 
 // How photons are weighted by their distance from the visible point.
@@ -342,7 +344,10 @@ struct EstimateRadianceArguments {
     uint filterKind;      // kFilter…
     uint count;
     uint maxDepth;
-    uint width; // of the picture if the threads are its pixels [pixels], see pixelOfThread; else 0
+    uint width;         // of the picture if the threads are its pixels [pixels], see pixelOfThread; else 0
+    float surfaceError; // of positions on surfaces, see errorAround [m]
+    vec3 eye;           // centre of the lens, world [m]
+    float footprint;    // width of a pixel over the distance from the eye: the least radius of a disc
 };
 
 // Starts final gathering: one ray from each visible point into its hemisphere.
@@ -367,19 +372,21 @@ struct BeginIrradianceArguments {
 struct StoreIrradianceArguments {
     PhotonArray photons;
     ColorArray irradiance; // [W/m^2]
-    PhotonArray records;   // out; power is the irradiance; surface = kNone: no record
+    FloatArray radii;      // of the discs in which it was found [m]
+    PhotonArray records;   // out; power is the irradiance, direction the radius; surface = kNone: no record
     uint count;            // photon slots
 };
 
 // Adds the radiance at each visible point from the nearest irradiance record.
 struct LookUpIrradianceArguments {
-    VisiblePointArray visiblePoints;
+    VisiblePointArray visiblePoints; // in and out: depth = 0 where a record was found
     MaterialArray materials;
     ColorArray gathered; // in and out: radiance [W/(m^2 sr)]
     PhotonMapRecord map; // of the records
     float radius;        // no farther than this [m]
     float scale;         // 1 / gather rays
     uint count;
+    float surfaceError; // of positions on surfaces, see errorAround [m]
 };
 
 // Decides which lights are visible from visible points, from the direct and shadow photons around them.
@@ -393,6 +400,7 @@ struct ClassifyVisibilityArguments {
     uint agreeing; // number of photons of a light that must agree
     float radius;  // search radius [m]
     uint count;
+    float surfaceError; // of positions on surfaces, see errorAround [m]
 };
 
 // Skips the shadow rays to a light whose visibility is known.

@@ -84,6 +84,7 @@ std::vector<shared::VisiblePoint> queriesNear(const PhotonSet& set, double sprea
         shared::VisiblePoint x{};
         x.position = vec3(at);
         x.normal = {0, 0, 1};
+        x.geometricNormal = 0x7fffU | 0x7fffU << 16U; // +z
         x.depth = i % 50 == 0 ? 0 : 1 + i % 3;
         points.push_back(x);
     }
@@ -120,7 +121,9 @@ TEST_CASE("tree and grid find exactly the photons of a brute-force search, in or
                 const auto points = queriesNear(set, 0.5 * radius, random);
                 const auto devicePoints = both.upload(points);
                 const auto found = both.room<shared::uint>(std::size_t{kQueries} * nearest);
-                const render::PhotonSearch search{nearest, radius, kKinds, kMaxDepth};
+                // Positions off their surface by any distance: no photon is on another one
+                const render::PhotonSearch search{
+                    .nearest = nearest, .radius = radius, .kinds = kKinds, .maxDepth = kMaxDepth, .surfaceError = 100};
                 std::vector<std::uint32_t> answers[2];
                 for (const auto structure : {render::PhotonStructure::Tree, render::PhotonStructure::Grid}) {
                     const bool isTree = structure == render::PhotonStructure::Tree;

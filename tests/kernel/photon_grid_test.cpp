@@ -122,7 +122,7 @@ TEST_CASE("gathering finds every photon of the disc once, even if cells share bu
             const auto gathered = both.room<vec3>(count);
             both.run("gather_radiance",
                      shared::GatherRadianceArguments{devicePoints, both.deviceScene.materials, grid.cellStarts(),
-                                                     gathered, grid.record(), radius, count, 12, 13},
+                                                     gathered, grid.record(), radius, count, 12, 13, radius},
                      count);
             std::vector<reference::Photon> stored;
             for (const shared::Photon& p : photons) {
@@ -134,7 +134,7 @@ TEST_CASE("gathering finds every photon of the disc once, even if cells share bu
             std::size_t edge = 0; // a photon on the rim of the disc, in on one side and out on the other
             for (std::uint32_t i = 0; i < count; ++i) {
                 const reference::VisiblePoint x = toReference(both, points[i]);
-                const double expected = reference::gatherRadiance(map, x, radius, 12).x;
+                const double expected = reference::gatherRadiance(map, x, radius, 12, radius).x;
                 const double actual = gathered.host()[i].x;
                 edge += std::abs(actual - expected) > 1e-4 * expected ? 1 : 0;
             }
@@ -181,13 +181,13 @@ TEST_CASE("a disc that extends beyond a parallelogram counts with its area insid
         grid.build(both.device, devicePhotons, 4000, radius);
         both.run("gather_radiance",
                  shared::GatherRadianceArguments{devicePoints, both.deviceScene.materials, grid.cellStarts(), gathered,
-                                                 grid.record(), radius, count, 12, 13},
+                                                 grid.record(), radius, count, 12, 13, 0},
                  count);
         std::size_t edge = 0; // a photon on the rim of the disc, in on one side and out on the other
         for (std::uint32_t i = 0; i < count; ++i) {
             reference::VisiblePoint x = toReference(both, points[i], {0, 0, 1});
             x.quad = &quad;
-            const double expected = reference::gatherRadiance(map, x, radius, 12).x;
+            const double expected = reference::gatherRadiance(map, x, radius, 12, 0).x;
             edge += std::abs(gathered.host()[i].x - expected) > 1e-4 * expected ? 1 : 0;
         }
         CHECK(edge <= count / 200);
@@ -206,7 +206,7 @@ TEST_CASE("photons of another surface, another side or too long a path are not g
         const auto gathered = both.room<vec3>(1);
         both.run("gather_radiance",
                  shared::GatherRadianceArguments{points, both.deviceScene.materials, grid.cellStarts(), gathered,
-                                                 grid.record(), radius, 1, maxDepth, 13},
+                                                 grid.record(), radius, 1, maxDepth, 13, radius},
                  1);
         return gathered.host()[0].x;
     };

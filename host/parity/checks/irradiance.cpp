@@ -7,6 +7,8 @@
 #include "shaders/shared/kernel_arguments.h"
 #include "shaders/shared/limits.h"
 
+#include <bit>
+
 namespace hyalite::parity {
 
 namespace {
@@ -28,7 +30,8 @@ struct RecordFields : FieldSet<2> {
 };
 constexpr RecordFields kRecords;
 
-struct LookUpFields : FieldSet<1> {
+struct LookUpFields : FieldSet<2> {
+    const Field& found = exact("found", kRim);
     const Field& gathered = vector("gathered", kSum, Scale::Value, "two records at equal distance");
 };
 constexpr LookUpFields kLookUp;
@@ -63,6 +66,7 @@ void compareStoreIrradiance(const Stage& stage) {
     const auto args = stage.seen.arguments<shared::StoreIrradianceArguments>();
     const auto photons = stage.seen.before<shared::Photon>(args.photons, args.count);
     const auto irradiance = stage.seen.before<glm::vec3>(args.irradiance, args.count);
+    const auto radii = stage.seen.before<float>(args.radii, args.count);
     const auto records = stage.seen.after<shared::Photon>(args.records, args.count);
     for (std::size_t i = 0; i < args.count; ++i) {
         shared::Photon expected = photons[i];
@@ -70,6 +74,7 @@ void compareStoreIrradiance(const Stage& stage) {
         if ((expected.direction & shared::kMarkedPhoton) == 0) {
             expected.surface = shared::kNone;
         }
+        expected.direction = std::bit_cast<std::uint32_t>(radii[i]) >> 2U;
         const bool isNone = expected.surface == shared::kNone; // then no other field counts
         Answer device;
         device.exact(kRecords.surface, records[i].surface);
@@ -86,28 +91,30 @@ void compareLookUpIrradiance(const Stage& stage) {
     const auto points = stage.seen.before<shared::VisiblePoint>(args.visiblePoints, args.count);
     const auto before = stage.seen.before<glm::vec3>(args.gathered, args.count);
     const auto after = stage.seen.after<glm::vec3>(args.gathered, args.count);
+    const auto pointsAfter = stage.seen.after<shared::VisiblePoint>(args.visiblePoints, args.count);
     const reference::PhotonMap map = mapOf(stage, args.map.base, args.map.count);
     for (std::size_t i = 0; i < args.count; ++i) {
         const shared::VisiblePoint& point = points[i];
         Answer device;
+        device.exact(kLookUp.found, pointsAfter[i].depth == 0 ? 1 : 0);
         device.vector(kLookUp.gathered, dvec3(after[i]));
         stage.compare(
             i, device,
             [&](Nudge nudge) {
                 dvec3 gathered(before[i]);
-                if (point.depth != 0) {
+                bool isDone = point.depth == 0;
+                if (!isDone) {
                     const reference::VisiblePoint y = nudged(stage, point, nudge);
-                    const auto isOnSide = [&](const reference::Photon& record) {
-                        return glm::dot(record.normal, y.normal) > 0.5 && glm::dot(record.direction, y.normal) > 0;
-                    };
-                    const auto nearest = map.nearest(y.position, 1, nudge.number(double{args.radius}), isOnSide);
-                    if (!nearest.empty()) {
+                    const auto E = reference::recordedIrradiance(map, y, nudge.number(double{args.radius}),
+                                                                 double{args.surfaceError});
+                    if (E) {
                         const reference::Receiver receiver = reference::receiverAt(y);
-                        gathered += receiver.f * map.photons()[nearest.front().index].power *
-                                    (double{args.scale} * receiver.meanIncident());
+                        gathered += receiver.f * *E * (double{args.scale} * receiver.meanIncident());
+                        isDone = true;
                     }
                 }
                 Answer answer;
+                answer.exact(kLookUp.found, isDone ? 1 : 0);
                 answer.vector(kLookUp.gathered, gathered);
                 return answer;
             },

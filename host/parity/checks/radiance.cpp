@@ -41,9 +41,9 @@ void compareGatherRadiance(const Stage& stage) {
                 Answer answer;
                 const double radius = nudge.number(double{args.radius});
                 answer.vector(kGather.gathered,
-                              point.depth == 0
-                                  ? dvec3(0)
-                                  : reference::gatherRadiance(map, nudged(stage, point, nudge), radius, args.maxDepth));
+                              point.depth == 0 ? dvec3(0)
+                                               : reference::gatherRadiance(map, nudged(stage, point, nudge), radius,
+                                                                           args.maxDepth, double{args.surfaceError}));
                 return answer;
             },
             [&] { return visibleInputs(point); });
@@ -74,7 +74,10 @@ void compareEstimateRadiance(const Stage& stage) {
                                                             .maxDepth = args.maxDepth,
                                                             .filter = static_cast<PhotonFilter>(args.filterKind),
                                                             .coneConstant = double{args.filterConstant},
-                                                            .maxChange = double{args.maxChange}});
+                                                            .maxChange = double{args.maxChange},
+                                                            .surfaceError = double{args.surfaceError},
+                                                            .eye = dvec3(args.eye),
+                                                            .footprint = double{args.footprint}});
                 }
                 Answer answer;
                 answer.vector(kEstimate.gathered, estimate.radiance);

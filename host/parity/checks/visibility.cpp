@@ -44,7 +44,7 @@ void compareClassifyVisibility(const Stage& stage) {
                 if (point.depth != 0) {
                     const double radius = nudge.number(double{args.radius});
                     visibility = reference::classifyVisibility(map, nudged(stage, point, nudge), args.lightCount,
-                                                               args.agreeing, radius);
+                                                               args.agreeing, radius, double{args.surfaceError});
                 }
                 Answer answer;
                 answer.exact(kVisibility.lit, visibility.lit);

@@ -3,6 +3,7 @@
 #include "reference/integrators/photon_mapping.h"
 
 #include "base/parallel.h"
+#include "geometry/search_radius.h"
 #include "reference/integrators/shading.h"
 #include "reference/lib/sampling.h"
 #include "reference/lights/receiver.h"
@@ -40,8 +41,17 @@ std::optional<PhotonMap> traceCausticMap(const World& world) {
                              .aimed = settings.projectionMap}));
 }
 
+double largestEstimate(const World& world, const PhotonMap& map, std::size_t nearest, double largest) {
+    std::vector<glm::dvec3> positions;
+    for (const Photon& photon : map.photons()) {
+        positions.push_back(photon.position);
+    }
+    return largestEstimateFor(nearest, positions, largest,
+                              {.eye = world.camera.position, .footprint = world.pixelFootprint});
+}
+
 // The irradiance at every fourth photon of the global map [Christensen99].
-PhotonMap computeIrradiance(const World& world, const PhotonMap& global) {
+PhotonMap computeIrradiance(const World& world, const PhotonMap& global, double radius) {
     std::vector<Photon> records;
     for (const Photon& photon : global.photons()) {
         if ((photon.photon + photon.depth) % 4 == 0) {
@@ -58,7 +68,9 @@ PhotonMap computeIrradiance(const World& world, const PhotonMap& global) {
                                  .beta = glm::dvec3(1),
                                  .depth = 1,
                                  .samplerSeed = 0};
-            records[i].power = estimateRadiance(global, x, globalOptions(world, kGlobalKinds)).radiance;
+            const RadianceEstimate estimate = estimateRadiance(global, x, globalOptions(world, radius, kGlobalKinds));
+            records[i].power = estimate.radiance;
+            records[i].discRadius = estimate.radius;
         }
     });
     return PhotonMap(std::move(records));
@@ -66,19 +78,14 @@ PhotonMap computeIrradiance(const World& world, const PhotonMap& global) {
 
 // All light reflected by the diffuse surface that a gather ray hits.
 glm::dvec3 lookUp(const World& world, const PhotonMaps& maps, const VisiblePoint& y) {
-    if (!maps.irradiance) {
-        return estimateRadiance(maps.global, y, globalOptions(world, kGlobalKinds)).radiance;
-    }
-    const auto sameSide = [&](const Photon& photon) {
-        return glm::dot(photon.normal, y.normal) > 0.5 && glm::dot(photon.direction, y.normal) > 0;
-    };
-    const auto nearest = maps.irradiance->nearest(y.position, 1, world.globalRadius, sameSide);
-    if (nearest.empty()) {
-        return glm::dvec3(0);
+    const std::optional<glm::dvec3> E =
+        maps.irradiance ? recordedIrradiance(*maps.irradiance, y, maps.globalRadius, world.surfaceError) : std::nullopt;
+    if (!E) {
+        return estimateRadiance(maps.global, y, globalOptions(world, maps.globalRadius, kGlobalKinds)).radiance;
     }
     // Irradiance has no direction: treat it as uniform illumination
     const Receiver receiver = receiverAt(y);
-    return receiver.f * maps.irradiance->photons()[nearest.front().index].power * receiver.meanIncident();
+    return receiver.f * *E * receiver.meanIncident();
 }
 
 // One gather ray contributes f cos / pdf = f pi times the radiance it finds. Emission it sees directly is direct light,
@@ -113,9 +120,10 @@ glm::dvec3 directLight(const World& world, const PhotonMaps& maps, const Visible
         return glm::dvec3(0);
     }
     const auto lights = static_cast<std::uint32_t>(world.lights.size());
-    const Visibility known = maps.shadow ? classifyVisibility(*maps.shadow, x, lights,
-                                                              world.render.photonMap.shadowPhotons, world.causticRadius)
-                                         : Visibility{};
+    const Visibility known = maps.shadow
+                                 ? classifyVisibility(*maps.shadow, x, lights, world.render.photonMap.shadowPhotons,
+                                                      world.causticRadius, world.surfaceError)
+                                 : Visibility{};
     glm::dvec3 L(0);
     for (std::uint32_t light = 0; light < lights; ++light) {
         const std::optional<LightSample> sample = sampleLight(world, x, pass, light);
@@ -132,36 +140,44 @@ LightComponents lightAt(const World& world, const PhotonMaps& maps, const Visibl
     LightComponents light;
     light.direct = directLight(world, maps, x, pass);
     if (maps.caustic) {
-        light.caustic = estimateRadiance(*maps.caustic, x, causticOptions(world)).radiance;
+        light.caustic = estimateRadiance(*maps.caustic, x, causticOptions(world, maps.causticRadius)).radiance;
     }
     light.indirect =
         world.render.photonMap.gatherRays > 0
             ? finalGather(world, maps, x, pass)
-            : estimateRadiance(maps.global, x, globalOptions(world, kindBit(PhotonKind::Indirect))).radiance;
+            : estimateRadiance(maps.global, x, globalOptions(world, maps.globalRadius, kindBit(PhotonKind::Indirect)))
+                  .radiance;
     return light;
 }
 
 } // namespace
 
-RadianceEstimateOptions globalOptions(const World& world, std::uint32_t kinds) {
+RadianceEstimateOptions globalOptions(const World& world, double radius, std::uint32_t kinds) {
     const PhotonMapSettings& settings = world.render.photonMap;
     return {.nearest = settings.nearest,
-            .radius = world.globalRadius,
+            .radius = radius,
             .kinds = kinds,
             .maxDepth = world.render.maxDepth,
             .filter = settings.filter,
-            .coneConstant = settings.coneConstant};
+            .coneConstant = settings.coneConstant,
+            .maxChange = 0,
+            .surfaceError = world.surfaceError,
+            .eye = world.camera.position,
+            .footprint = world.pixelFootprint};
 }
 
-RadianceEstimateOptions causticOptions(const World& world) {
+RadianceEstimateOptions causticOptions(const World& world, double radius) {
     const PhotonMapSettings& settings = world.render.photonMap;
     return {.nearest = settings.causticNearest,
-            .radius = world.causticRadius,
+            .radius = radius,
             .kinds = kindBit(PhotonKind::Caustic),
             .maxDepth = world.render.maxDepth,
             .filter = settings.causticFilter,
             .coneConstant = settings.coneConstant,
-            .maxChange = settings.differentialChecking ? 0.5 : 0};
+            .maxChange = settings.differentialChecking ? 0.5 : 0,
+            .surfaceError = world.surfaceError,
+            .eye = world.camera.position,
+            .footprint = world.pixelFootprint};
 }
 
 LightComponents& LightComponents::operator+=(const LightComponents& other) {
@@ -174,12 +190,23 @@ LightComponents& LightComponents::operator+=(const LightComponents& other) {
 
 PhotonMaps buildPhotonMaps(const World& world) {
     const PhotonMapSettings& settings = world.render.photonMap;
-    PhotonMaps maps{.global = traceGlobalMap(world), .caustic = traceCausticMap(world), .shadow = {}, .irradiance = {}};
+    PhotonMaps maps{.global = traceGlobalMap(world),
+                    .caustic = traceCausticMap(world),
+                    .shadow = {},
+                    .irradiance = {},
+                    .globalRadius = world.globalRadius,
+                    .causticRadius = world.causticRadius};
+    if (world.render.radius == 0) {
+        maps.globalRadius = largestEstimate(world, maps.global, settings.nearest, world.globalRadius);
+    }
+    if (settings.causticRadius == 0 && maps.caustic) {
+        maps.causticRadius = largestEstimate(world, *maps.caustic, settings.causticNearest, world.causticRadius);
+    }
     if (settings.shadowPhotons > 0) {
         maps.shadow = PhotonMap(castShadowPhotons(world, 0));
     }
     if (settings.gatherRays > 0 && settings.precomputedIrradiance) {
-        maps.irradiance = computeIrradiance(world, maps.global);
+        maps.irradiance = computeIrradiance(world, maps.global, maps.globalRadius);
     }
     return maps;
 }

@@ -27,6 +27,8 @@ struct PhotonMaps {
     std::optional<PhotonMap> caustic;    // caustic photons only; none: nothing specular in the scene, or switched off
     std::optional<PhotonMap> shadow;     // direct and shadow photons
     std::optional<PhotonMap> irradiance; // every fourth photon of the global map, its power the irradiance [W/m^2]
+    double globalRadius = 0;             // largest of an estimate from the global map [m]
+    double causticRadius = 0;            // likewise, from the caustic map
 };
 
 [[nodiscard]] PhotonMaps buildPhotonMaps(const World& world);
@@ -38,9 +40,9 @@ struct PhotonMaps {
 inline constexpr std::uint32_t kGlobalKinds =
     kindBit(PhotonKind::Direct) | kindBit(PhotonKind::Indirect) | kindBit(PhotonKind::Caustic);
 
-// Options from the settings for estimates from the global and the caustic map.
-[[nodiscard]] RadianceEstimateOptions globalOptions(const World& world, std::uint32_t kinds);
-[[nodiscard]] RadianceEstimateOptions causticOptions(const World& world);
+// Options from the settings for estimates from the global and the caustic map, with their largest radius [m].
+[[nodiscard]] RadianceEstimateOptions globalOptions(const World& world, double radius, std::uint32_t kinds);
+[[nodiscard]] RadianceEstimateOptions causticOptions(const World& world, double radius);
 
 // Follows a path through mirrors and glass to the first diffuse surface on each branch; sums what `visit` returns
 // there.

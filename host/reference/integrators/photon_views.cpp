@@ -95,24 +95,29 @@ ViewLayers layersOfView(const World& world, const PhotonMaps& maps) {
     case PhotonView::GlobalMap:
         return {.kinds = {{"emitted"}, {"global_map"}}, .sample = [&](std::uint32_t pixel, std::uint32_t pass) {
                     return sampleMap(world, pixel, pass, [&](const VisiblePoint& x) {
-                        return estimateRadiance(maps.global, x, globalOptions(world, kGlobalKinds)).radiance;
+                        return estimateRadiance(maps.global, x, globalOptions(world, maps.globalRadius, kGlobalKinds))
+                            .radiance;
                     });
                 }};
     case PhotonView::CausticMap:
-        return {.kinds = {{"emitted", /*isLight*/ false}, {"caustic_map"}},
-                .sample = [&](std::uint32_t pixel, std::uint32_t pass) {
-                    return sampleMap(world, pixel, pass, [&](const VisiblePoint& x) {
-                        return maps.caustic ? estimateRadiance(*maps.caustic, x, causticOptions(world)).radiance
-                                            : glm::dvec3(0);
-                    });
-                }};
+        return {
+            .kinds = {{"emitted", /*isLight*/ false}, {"caustic_map"}},
+            .sample = [&](std::uint32_t pixel, std::uint32_t pass) {
+                return sampleMap(world, pixel, pass, [&](const VisiblePoint& x) {
+                    return maps.caustic
+                               ? estimateRadiance(*maps.caustic, x, causticOptions(world, maps.causticRadius)).radiance
+                               : glm::dvec3(0);
+                });
+            }};
     case PhotonView::Radius:
-        return {.kinds = {{"emitted", /*isLight*/ false}, {"radius"}},
-                .sample = [&](std::uint32_t pixel, std::uint32_t pass) {
-                    return sampleMap(world, pixel, pass, [&](const VisiblePoint& x) {
-                        return glm::dvec3(estimateRadiance(maps.global, x, globalOptions(world, kGlobalKinds)).radius);
-                    });
-                }};
+        return {
+            .kinds = {{"emitted", /*isLight*/ false}, {"radius"}},
+            .sample = [&](std::uint32_t pixel, std::uint32_t pass) {
+                return sampleMap(world, pixel, pass, [&](const VisiblePoint& x) {
+                    return glm::dvec3(
+                        estimateRadiance(maps.global, x, globalOptions(world, maps.globalRadius, kGlobalKinds)).radius);
+                });
+            }};
     case PhotonView::Photons: {
         ViewLayers layers = pictureLayers(world, maps);
         layers.kinds.push_back({"photons"});

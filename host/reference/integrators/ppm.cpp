@@ -45,15 +45,25 @@ PhotonPass causticPass(const World& world, std::uint32_t pass) {
 double radiusByPilot(const World& world, PhotonPass pilot, double wanted) {
     const std::uint32_t emitted = pilot.count;
     pilot.count = std::min(emitted, kPilotPhotons);
-    std::vector<glm::dvec3> positions;
-    for (const Photon& photon : tracePhotons(world, pilot)) {
-        positions.push_back(photon.position);
+    const auto trace = [&] {
+        std::vector<glm::dvec3> positions;
+        for (const Photon& photon : tracePhotons(world, pilot)) {
+            positions.push_back(photon.position);
+        }
+        return positions;
+    };
+    std::vector<glm::dvec3> positions = trace();
+    if (positions.size() < kFewPhotons && pilot.count < emitted) {
+        pilot.count = emitted;
+        positions = trace();
     }
-    return searchRadiusFor(wanted, positions, pilot.count, emitted, world.sceneRadius);
+    return searchRadiusFor(
+        wanted, positions, pilot.count, emitted,
+        {.sceneRadius = world.sceneRadius, .eye = world.camera.position, .footprint = world.pixelFootprint});
 }
 
 glm::dvec3 gather(const ProgressiveMap& map, const VisiblePoint& x, const World& world) {
-    return gatherRadiance(map.photons, x, map.radius, world.render.maxDepth);
+    return gatherRadiance(map.photons, x, map.radius, world.render.maxDepth, world.surfaceError);
 }
 
 glm::dvec3 tracePath(const World& world, const ProgressiveMaps& maps, const Ray& ray, const CameraPath& path,

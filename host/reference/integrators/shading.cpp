@@ -151,7 +151,8 @@ VisiblePoint visibleAt(const Surface& surface, const MaterialModel& material, co
             .depth = depth,
             .samplerSeed = path.samplerSeed,
             .quad = surface.quad,
-            .media = path.media};
+            .media = path.media,
+            .disk = surface.disk};
 }
 
 } // namespace

@@ -59,6 +59,7 @@ struct VisiblePoint {
     std::uint32_t samplerSeed = 0;
     const Quad* quad = nullptr; // of the world: the parallelogram under this point; nullptr: another shape
     Media media = {};           // on this side
+    const Disk* disk = nullptr; // likewise, the disk
 };
 
 // Which light to sample, with which random numbers: the given light, with its own sequence (whitted sums over all

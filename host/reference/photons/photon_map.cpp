@@ -161,20 +161,106 @@ double discOnQuad(const Quad& quad, const glm::dvec3& center, double radius) {
     return std::clamp(area, whole / 1024, whole);
 }
 
-glm::dvec3 gatherRadiance(const PhotonMap& map, const VisiblePoint& x, double radius, std::uint32_t maxDepth) {
+namespace {
+
+// The area that two discs share is the integral over the second of the indicator of the first. In polar coordinates
+// about the first's centre, rings of radius rho < r are covered by the second for an angle that ends where the rims
+// cross; the closed form is that of two circular segments.
+double discOnDisc(double r, double s, double d) {
+    if (d <= std::abs(r - s)) {
+        return pi * std::min(r, s) * std::min(r, s);
+    }
+    if (d >= r + s) {
+        return 0;
+    }
+    const double alpha = 2 * std::acos(std::clamp((d * d + r * r - s * s) / (2 * d * r), -1.0, 1.0));
+    const double beta = 2 * std::acos(std::clamp((d * d + s * s - r * r) / (2 * d * s), -1.0, 1.0));
+    return (r * r * (alpha - std::sin(alpha)) + s * s * (beta - std::sin(beta))) / 2;
+}
+
+} // namespace
+
+namespace {
+
+bool isRound(const Disk& disk) {
+    const double rim = glm::length(disk.axis0);
+    const double skew = std::abs(glm::dot(disk.axis0, disk.axis1)) / rim;
+    return std::abs(glm::length(disk.axis1) - rim) + skew < 5e-5 * rim;
+}
+
+} // namespace
+
+double discOnSurface(const VisiblePoint& x, double radius) {
+    if (x.quad != nullptr) {
+        return discOnQuad(*x.quad, x.position, radius);
+    }
+    const double whole = pi * radius * radius;
+    if (x.disk != nullptr && isRound(*x.disk)) {
+        const double rim = glm::length(x.disk->axis0);
+        return std::max(discOnDisc(radius, rim, glm::distance(x.position, x.disk->center)), whole / 1024);
+    }
+    return whole;
+}
+
+bool isWithinEdges(const VisiblePoint& x, const glm::dvec3& place) {
+    constexpr double rounding = 1e-6; // of a photon's coordinates on the shape
+    if (x.quad != nullptr) {
+        const glm::dvec3 normal = glm::cross(x.quad->edge0, x.quad->edge1);
+        const glm::dvec3 from = place - x.quad->corner;
+        const double u = glm::dot(glm::cross(from, x.quad->edge1), normal) / glm::dot(normal, normal);
+        const double v = glm::dot(glm::cross(x.quad->edge0, from), normal) / glm::dot(normal, normal);
+        return std::min(u, v) >= -rounding && std::max(u, v) <= 1 + rounding;
+    }
+    if (x.disk != nullptr && isRound(*x.disk)) {
+        const glm::dvec3 normal = glm::normalize(glm::cross(x.disk->axis0, x.disk->axis1));
+        const glm::dvec3 from = place - x.disk->center;
+        return glm::length(from - glm::dot(from, normal) * normal) <= glm::length(x.disk->axis0) * (1 + rounding / 2);
+    }
+    return true;
+}
+
+bool isOnSurface(const Photon& photon, const VisiblePoint& x, double surfaceError) {
+    const glm::dvec3 chord = photon.position - x.position;
+    const double cosine = glm::dot(photon.normal, x.geometricNormal);
+    if (cosine <= 0.5) {
+        return false;
+    }
+    const glm::dvec3 size = glm::abs(x.position);
+    const double error = surfaceError + 0x1p-19 * std::max({size.x, size.y, size.z});
+    const double sine = glm::length(glm::cross(photon.normal, x.geometricNormal));
+    if (sine < 0.0012) {
+        return std::abs(glm::dot(chord, x.geometricNormal)) <= std::hypot(0.001 * glm::length(chord), error);
+    }
+    const double off = glm::dot(chord, (photon.normal + x.geometricNormal) / 2.0);
+    return std::abs(off) <= std::hypot(std::hypot(0.004, sine) * glm::length(chord), error);
+}
+
+bool isOnSide(const Photon& photon, const VisiblePoint& x, double surfaceError) {
+    return glm::dot(photon.direction, x.geometricNormal) > 0 && isOnSurface(photon, x, surfaceError);
+}
+
+std::optional<glm::dvec3> recordedIrradiance(const PhotonMap& records, const VisiblePoint& y, double radius,
+                                             double surfaceError) {
+    const auto nearest = records.nearest(y.position, 1, radius, [&](const Photon& record) {
+        return glm::distance(record.position, y.position) <= record.discRadius && isOnSurface(record, y, surfaceError);
+    });
+    return nearest.empty() ? std::nullopt : std::optional(records.photons()[nearest.front().index].power);
+}
+
+glm::dvec3 gatherRadiance(const PhotonMap& map, const VisiblePoint& x, double radius, std::uint32_t maxDepth,
+                          double surfaceError) {
     const Receiver receiver = receiverAt(x);
     glm::dvec3 power(0);
     for (const std::uint32_t index : map.near(x.position, radius)) {
         const Photon& photon = map.photons()[index];
         const bool inPlane = std::abs(glm::dot(photon.position - x.position, x.geometricNormal)) <= radius / 4;
-        const bool sameSurface = glm::dot(photon.normal, x.normal) > 0.5;
-        const bool sameSide = glm::dot(photon.direction, x.normal) > 0;
-        if (inPlane && sameSurface && sameSide && photon.depth + x.depth <= maxDepth) {
-            const double cosIn = glm::dot(photon.direction, x.normal);
+        if (inPlane && isOnSide(photon, x, surfaceError) && isWithinEdges(x, photon.position) &&
+            photon.depth + x.depth <= maxDepth) {
+            const double cosIn = std::clamp(glm::dot(photon.direction, x.normal), 0.0, 1.0);
             power += photon.power * receiver.incident(cosIn);
         }
     }
-    return receiver.f * power / (x.quad != nullptr ? discOnQuad(*x.quad, x.position, radius) : pi * radius * radius);
+    return receiver.f * power / discOnSurface(x, radius);
 }
 
 } // namespace hyalite::reference

@@ -31,6 +31,29 @@ bool survives(const glm::dvec3& reflected, double x, glm::dvec3& power) {
     return true;
 }
 
+constexpr double kMostSmoothing = 32; // bound on either factor below
+
+// [Veach97, sec. 5.3] A receiver weights light by |wo . n|, n its shading normal; the photons that arrive are as many
+// as |wo . ng| asks for, ng the geometric normal.
+double arrivalFactor(const Surface& surface, const glm::dvec3& wo) {
+    if (surface.normal == surface.geometricNormal) {
+        return 1;
+    }
+    const double geometric = glm::dot(wo, surface.geometricNormal);
+    const double shading = std::max(0.0, glm::dot(wo, surface.normal));
+    return shading < kMostSmoothing * geometric ? shading / geometric : kMostSmoothing;
+}
+
+// The same where a photon leaves by a lobe: it spreads over |wi . ng|, and the lobe's weight has |wi . n|.
+double lobeFactor(const Surface& surface, const glm::dvec3& wo, const glm::dvec3& wi) {
+    if (surface.normal == surface.geometricNormal) {
+        return 1;
+    }
+    const double above = std::abs(glm::dot(wo, surface.normal) * glm::dot(wi, surface.geometricNormal));
+    const double below = std::abs(glm::dot(wo, surface.geometricNormal) * glm::dot(wi, surface.normal));
+    return above < kMostSmoothing * below ? above / below : kMostSmoothing;
+}
+
 void tracePhoton(const World& world, const Ray& ray, const PhotonPath& path, std::uint32_t depth,
                  const PhotonPass& pass, std::vector<Photon>& photons) {
     const std::optional<Hit> hit = traceClosest(world, ray);
@@ -70,8 +93,8 @@ PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, 
     if (diffuse && isWanted(path.kind, pass)) {
         scatter.stored = Photon{.position = surface.position,
                                 .direction = -ray.direction,
-                                .normal = surface.normal,
-                                .power = path.power,
+                                .normal = surface.geometricNormal,
+                                .power = path.power * arrivalFactor(surface, -ray.direction),
                                 .photon = path.photon,
                                 .depth = depth,
                                 .light = path.light,
@@ -93,12 +116,18 @@ PhotonScatter scatterPhoton(const World& world, const Ray& ray, const Hit& hit, 
         const PickedLobe picked = pickLobe(*lobe, cosIn, xy.y / probability);
         sample = sampleLobe(picked.lobe, normals, -ray.direction, uv, xy.y, Transport::Flux);
         taken = probability * picked.probability;
+        if (sample) {
+            sample->weight *= lobeFactor(surface, -ray.direction, sample->direction);
+        }
         if (path.kind == PhotonKind::Direct) { // it may become a caustic photon
             scatter.path.kind = PhotonKind::Caustic;
         }
     } else if (isWanted(PhotonKind::Indirect, pass)) {
-        const glm::dvec3 direction = cosineHemisphere(uv, surface.normal);
-        const glm::dvec3 weight = diffuseReflectance(*diffuse, cosIn, glm::dot(direction, surface.normal));
+        // f times the cosine at the geometric normal over the density, which is that cosine over pi; the flux that
+        // arrived counts by the cosine at the smoothed normal
+        const glm::dvec3 direction = cosineHemisphere(uv, surface.geometricNormal);
+        const double cosOut = std::clamp(glm::dot(direction, surface.normal), 0.0, 1.0);
+        const glm::dvec3 weight = arrivalFactor(surface, -ray.direction) * diffuseReflectance(*diffuse, cosIn, cosOut);
         sample = BsdfSample{.direction = direction, .weight = weight};
         scatter.path.kind = PhotonKind::Indirect;
     }

@@ -45,12 +45,13 @@ struct PhotonPass {
 struct Photon {
     glm::dvec3 position;      // world [m]
     glm::dvec3 direction;     // unit, towards its origin
-    glm::dvec3 normal;        // unit, shading normal of the surface, on the side of arrival
-    glm::dvec3 power;         // flux [W]
+    glm::dvec3 normal;        // unit, geometric, on the side of arrival
+    glm::dvec3 power;         // flux [W], where a smoothed normal counts: by the cosine at that
     std::uint32_t photon = 0; // number in its pass
     std::uint32_t depth = 0;  // segments from the light to here
     std::uint32_t light = 0;  // index of the emitting light
     PhotonKind kind = PhotonKind::Indirect;
+    double discRadius = 0; // of an irradiance record: of the disc of its estimate [m]
 };
 
 struct PhotonScatter {

@@ -15,8 +15,8 @@ namespace {
 constexpr double kAlpha = 0.918;
 constexpr double kBeta = 1.953;
 
-constexpr double kLeastDisc = 1.0 / 1024; // [largest radius]
-constexpr std::size_t kFirstCheck = 8;    // photons
+constexpr double kLeastDisc = 0x1p-20; // [largest radius]
+constexpr std::size_t kFirstCheck = 8; // photons
 
 // A photon found, as the estimate uses it.
 struct Found {
@@ -31,19 +31,19 @@ struct Disc {
 };
 
 std::vector<Found> findPhotons(const PhotonMap& map, const VisiblePoint& x, const Receiver& receiver,
-                               const RadianceEstimateOptions& options) {
+                               const RadianceEstimateOptions& options, std::size_t nearest, double radius) {
     const auto counts = [&](const Photon& photon) {
-        return glm::dot(photon.normal, x.normal) > 0.5 && glm::dot(photon.direction, x.normal) > 0 &&
+        return isOnSide(photon, x, options.surfaceError) &&
                (options.kinds >> static_cast<std::uint32_t>(photon.kind) & 1U) != 0 &&
                photon.depth + x.depth <= options.maxDepth;
     };
     std::vector<Found> found;
-    for (const auto& [distance2, index] : map.nearest(x.position, options.nearest, options.radius, counts)) {
+    for (const auto& [distance2, index] : map.nearest(x.position, nearest, radius, counts)) {
         const Photon& photon = map.photons()[index];
-        const double entering = receiver.incident(glm::dot(photon.direction, x.normal));
+        const double entering = receiver.incident(std::clamp(glm::dot(photon.direction, x.normal), 0.0, 1.0));
         found.push_back({.distance = std::sqrt(distance2),
                          .height = std::abs(glm::dot(photon.position - x.position, x.geometricNormal)),
-                         .power = photon.power * entering});
+                         .power = isWithinEdges(x, photon.position) ? photon.power * entering : glm::dvec3(0)});
     }
     return found;
 }
@@ -56,8 +56,12 @@ struct Growth {
 
 Growth grow(const std::vector<Found>& found, const Disc& whole, double leastRadius) {
     Growth growth;
-    for (std::size_t count = kFirstCheck; count < whole.count; count += (count + 3) / 4) {
-        const Disc disc{.radius = std::max(found[count].distance, leastRadius), .count = count};
+    std::size_t first = kFirstCheck;
+    while (first < whole.count && found[first].distance < leastRadius) {
+        ++first;
+    }
+    for (std::size_t count = first; count < whole.count; count += (count + 3) / 4) {
+        const Disc disc{.radius = found[count].distance, .count = count};
         double flux = 0;
         for (std::size_t i = 0; i < count; ++i) {
             if (found[i].height <= whole.radius / 4) {
@@ -70,8 +74,9 @@ Growth grow(const std::vector<Found>& found, const Disc& whole, double leastRadi
     return growth;
 }
 
-Disc stopAtEdge(const std::vector<Found>& found, const Disc& whole, const RadianceEstimateOptions& options) {
-    const auto [discs, densities] = grow(found, whole, kLeastDisc * options.radius);
+Disc stopAtEdge(const std::vector<Found>& found, const Disc& whole, double leastRadius,
+                const RadianceEstimateOptions& options) {
+    const auto [discs, densities] = grow(found, whole, leastRadius);
     std::size_t start = 0; // from this disc on the density rises monotonically, or falls
     for (std::size_t i = 1; i < discs.size(); ++i) {
         const bool turns = i >= 2 && (densities[i] > densities[i - 1]) != (densities[i - 1] > densities[i - 2]);
@@ -119,13 +124,18 @@ double meanFilterWeight(const RadianceEstimateOptions& options) {
 
 RadianceEstimate estimateRadiance(const PhotonMap& map, const VisiblePoint& x, const RadianceEstimateOptions& options) {
     const Receiver receiver = receiverAt(x);
-    const std::vector<Found> found = findPhotons(map, x, receiver, options);
+    std::vector<Found> found = findPhotons(map, x, receiver, options, options.nearest, options.radius);
     Disc disc{.radius = options.radius, .count = found.size()};
     if (found.size() == options.nearest) {
-        disc = {.radius = std::max(found.back().distance, kLeastDisc * options.radius), .count = found.size() - 1};
+        disc = {.radius = found.back().distance, .count = found.size() - 1};
     }
-    if (options.maxChange > 0) {
-        disc = stopAtEdge(found, disc, options);
+    const double pixel = options.footprint * glm::distance(x.position, options.eye);
+    const double least = std::min(options.radius, std::max(pixel, kLeastDisc * options.radius));
+    if (disc.radius < least) {
+        found = findPhotons(map, x, receiver, options, map.photons().size(), least);
+        disc = {.radius = least, .count = found.size()};
+    } else if (options.maxChange > 0) {
+        disc = stopAtEdge(found, disc, least, options);
     }
     glm::dvec3 power(0);
     for (std::size_t i = 0; i < disc.count; ++i) {
@@ -133,7 +143,7 @@ RadianceEstimate estimateRadiance(const PhotonMap& map, const VisiblePoint& x, c
             power += filterWeight(options, found[i].distance, disc.radius) * found[i].power;
         }
     }
-    const double area = std::numbers::pi * disc.radius * disc.radius;
+    const double area = discOnSurface(x, disc.radius);
     return {.radiance = receiver.f * power / (meanFilterWeight(options) * area), .radius = disc.radius};
 }
 

@@ -15,6 +15,9 @@ struct RadianceEstimateOptions {
     PhotonFilter filter = PhotonFilter::None;
     double coneConstant = 1.1; // the cone's radius over the disc's, >= 1
     double maxChange = 0;      // relative change of the density at which the disc stops growing; 0: it never does
+    double surfaceError = 0;   // of positions on surfaces [m]
+    glm::dvec3 eye{0};         // the camera [m]
+    double footprint = 0;      // least radius of a disc over its distance from there
 };
 
 struct RadianceEstimate {
@@ -24,11 +27,13 @@ struct RadianceEstimate {
 
 // Finds the nearest photons that landed on the visible point's side of a surface. If the radius holds the requested
 // number, the farthest of them sets the disc's radius and is excluded; otherwise the disc has the full radius. Photons
-// farther from the tangent plane than a quarter of the disc's radius do not count. A disc's radius is at least 1/1024
-// of the largest. With maxChange, nested discs are compared: the first holds 8 photons, each next a quarter more
-// (rounded up), and the next photon sets the disc's radius. If the density rises, or falls, monotonically from some
-// disc on, by more than maxChange of the density in that disc, the estimate uses that disc. Density here is the flux
-// near the plane, as seen from the whole disc and summed over the channels, divided by the square of the radius.
+// farther from the tangent plane than a quarter of the disc's radius do not count. If the disc would be smaller than a
+// pixel, `footprint` times the distance from the eye, or than 2^-20 of the largest, it has that radius and all photons
+// within count, more than the requested number. With maxChange, nested discs are compared: the first holds 8 photons,
+// or as many as it takes to be no smaller than that, each next a quarter more (rounded up), and the next photon sets
+// the disc's radius. If the density rises, or falls, monotonically from some disc on, by more than maxChange of the
+// density in that disc, the estimate uses that disc. Density here is the flux near the plane, as seen from the whole
+// disc and summed over the channels, divided by the square of the radius.
 [[nodiscard]] RadianceEstimate estimateRadiance(const PhotonMap& map, const VisiblePoint& x,
                                                 const RadianceEstimateOptions& options);
 

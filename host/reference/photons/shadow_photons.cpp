@@ -25,7 +25,7 @@ void castPhoton(const World& world, Ray ray, std::uint32_t photon, std::uint32_t
         if (surface.material != nullptr && diffusePart(texturedModel(world, surface))) {
             photons.push_back({.position = surface.position,
                                .direction = -ray.direction,
-                               .normal = surface.normal,
+                               .normal = surface.geometricNormal,
                                .power = glm::dvec3(0),
                                .photon = photon,
                                .depth = depth,
@@ -56,14 +56,12 @@ std::vector<Photon> castShadowPhotons(const World& world, std::uint32_t pass) {
 }
 
 Visibility classifyVisibility(const PhotonMap& map, const VisiblePoint& x, std::uint32_t lights, std::uint32_t agreeing,
-                              double radius) {
+                              double radius, double surfaceError) {
     const std::uint32_t nearest =
         std::min(agreeing * std::min(lights, shared::kMostClassifiedLights), shared::kMaxNearest);
     std::array<std::uint32_t, shared::kMostClassifiedLights> direct{};
     std::array<std::uint32_t, shared::kMostClassifiedLights> shadow{};
-    const auto sameSide = [&](const Photon& photon) {
-        return glm::dot(photon.normal, x.normal) > 0.5 && glm::dot(photon.direction, x.normal) > 0;
-    };
+    const auto sameSide = [&](const Photon& photon) { return isOnSide(photon, x, surfaceError); };
     for (const PhotonMap::Neighbour& neighbour : map.nearest(x.position, nearest, radius, sameSide)) {
         const Photon& photon = map.photons()[neighbour.index];
         if (photon.light < shared::kMostClassifiedLights) {

@@ -22,6 +22,6 @@ struct Visibility {
 // A light's visibility is known if at least `agreeing` of its photons are among the nearest within `radius` [m], all of
 // them direct or all of them shadow photons. Searches `agreeing` photons per light, up to the limit of an estimate.
 [[nodiscard]] Visibility classifyVisibility(const PhotonMap& map, const VisiblePoint& x, std::uint32_t lights,
-                                            std::uint32_t agreeing, double radius);
+                                            std::uint32_t agreeing, double radius, double surfaceError);
 
 } // namespace hyalite::reference

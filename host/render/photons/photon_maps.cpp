@@ -1,5 +1,6 @@
 #include "render/photons/photon_maps.h"
 
+#include "geometry/search_radius.h"
 #include "render/photons/photon_slots.h"
 #include "scene/model/bounds.h"
 #include "scene/model/render_seed.h"
@@ -30,7 +31,8 @@ std::uint32_t countOf(const std::vector<shared::Photon>& photons) {
 PhotonMaps::PhotonMaps(Device& device, const Scene& scene, const DeviceScene& deviceScene)
     : device_(device), scene_(scene), deviceScene_(deviceScene), settings_(scene.render.photonMap),
       globalRadius_(static_cast<float>(globalSearchRadius(scene))),
-      causticRadius_(static_cast<float>(causticSearchRadius(scene))), global_(device, settings_.structure),
+      causticRadius_(static_cast<float>(causticSearchRadius(scene))), shadowRadius_(causticRadius_),
+      surfaceError_(static_cast<float>(surfaceError(scene))), global_(device, settings_.structure),
       caustic_(device, settings_.structure), shadow_(device, settings_.structure),
       irradiance_(device, settings_.structure),
       estimateGlobal_(device, deviceScene, settings_.structure, settings_.nearest),
@@ -87,14 +89,33 @@ std::vector<shared::Photon> PhotonMaps::castShadows() {
     return storedPhotons(paths.photons(), slots);
 }
 
+void PhotonMaps::limitRadii() {
+    const auto limit = [this](float& radius, std::size_t nearest, const std::vector<shared::Photon>& photons) {
+        std::vector<glm::dvec3> positions;
+        for (const shared::Photon& photon : photons) {
+            positions.emplace_back(photon.position);
+        }
+        radius = static_cast<float>(
+            largestEstimateFor(nearest, positions, double{radius},
+                               {.eye = scene_.camera.position, .footprint = pixelFootprint(scene_.camera)}));
+    };
+    if (scene_.render.radius == 0) {
+        limit(globalRadius_, settings_.nearest, lists_.global);
+    }
+    if (settings_.causticRadius == 0) {
+        limit(causticRadius_, settings_.causticNearest, lists_.caustic);
+    }
+}
+
 void PhotonMaps::build() {
+    limitRadii();
     const bool records = settings_.gatherRays > 0 && settings_.precomputedIrradiance;
     // There are at most as many irradiance records as photons in the global map
     table_ = {device_.context, lists_.global.size() * (records ? 2 : 1) + lists_.caustic.size() + lists_.shadow.size(),
               "photon table"};
     device_.tables.set(TABLE_PHOTONS, table_.buffer(), gpu::TexelFormat::Float4);
     std::uint32_t base = sortInto(caustic_, upload(device_, lists_.caustic), 0, causticRadius_);
-    base = sortInto(shadow_, upload(device_, lists_.shadow), base, causticRadius_);
+    base = sortInto(shadow_, upload(device_, lists_.shadow), base, shadowRadius_);
     const gpu::Array<shared::Photon> photons = upload(device_, lists_.global);
     base = sortInto(global_, photons, base, globalRadius_);
     if (records) {
@@ -122,10 +143,11 @@ gpu::Array<shared::Photon> PhotonMaps::computeIrradiance(const gpu::Array<shared
                          shared::BeginIrradianceArguments{.photons = photons, .visiblePoints = points, .count = count},
                          count);
     estimateGlobal(points, kAllLight, irradiance, radii);
-    device_.commands.run(storeIrradiance,
-                         shared::StoreIrradianceArguments{
-                             .photons = photons, .irradiance = irradiance, .records = records, .count = count},
-                         count);
+    device_.commands.run(
+        storeIrradiance,
+        shared::StoreIrradianceArguments{
+            .photons = photons, .irradiance = irradiance, .radii = radii, .records = records, .count = count},
+        count);
     device_.commands.finish();
     return records;
 }
@@ -138,24 +160,32 @@ void PhotonMaps::estimateGlobal(const gpu::Array<shared::VisiblePoint>& x, std::
                          .radius = globalRadius_,
                          .kinds = kinds,
                          .maxDepth = scene_.render.maxDepth,
-                         .width = deviceScene_.widthOf(count)},
-                        {.filter = settings_.filter, .coneConstant = static_cast<float>(settings_.coneConstant)},
-                        gathered, radii);
+                         .width = deviceScene_.widthOf(count),
+                         .surfaceError = surfaceError_},
+                        density(settings_.filter), gathered, radii);
+}
+
+PhotonDensity PhotonMaps::density(PhotonFilter filter) const {
+    return {.filter = filter,
+            .coneConstant = static_cast<float>(settings_.coneConstant),
+            .maxChange = 0,
+            .eye = deviceScene_.camera.position,
+            .footprint = static_cast<float>(pixelFootprint(scene_.camera))};
 }
 
 void PhotonMaps::estimateCaustics(const gpu::Array<shared::VisiblePoint>& x, const gpu::Array<glm::vec3>& gathered,
                                   const gpu::Array<float>& radii) {
     const auto count = static_cast<std::uint32_t>(x.count());
+    PhotonDensity caustics = density(settings_.causticFilter);
+    caustics.maxChange = settings_.differentialChecking ? kEdgeChange : 0;
     estimateCaustics_.run(device_, caustic_.record(), x, count,
                           {.nearest = settings_.causticNearest,
                            .radius = causticRadius_,
                            .kinds = 1U << shared::kPhotonCaustic,
                            .maxDepth = scene_.render.maxDepth,
-                           .width = deviceScene_.widthOf(count)},
-                          {.filter = settings_.causticFilter,
-                           .coneConstant = static_cast<float>(settings_.coneConstant),
-                           .maxChange = settings_.differentialChecking ? kEdgeChange : 0},
-                          gathered, radii);
+                           .width = deviceScene_.widthOf(count),
+                           .surfaceError = surfaceError_},
+                          caustics, gathered, radii);
 }
 
 void PhotonMaps::addIrradiance(const gpu::Array<shared::VisiblePoint>& y, const gpu::Array<glm::vec3>& gathered,
@@ -168,7 +198,8 @@ void PhotonMaps::addIrradiance(const gpu::Array<shared::VisiblePoint>& y, const 
                                                            .map = irradiance_.record(),
                                                            .radius = globalRadius_,
                                                            .scale = scale,
-                                                           .count = count},
+                                                           .count = count,
+                                                           .surfaceError = surfaceError_},
                          count);
 }
 
@@ -188,8 +219,9 @@ void PhotonMaps::classify(const gpu::Array<shared::VisiblePoint>& x, const gpu::
                                                              .lightCount = deviceScene_.lightCount,
                                                              .nearest = classifiedNearest(),
                                                              .agreeing = settings_.shadowPhotons,
-                                                             .radius = causticRadius_,
-                                                             .count = count},
+                                                             .radius = shadowRadius_,
+                                                             .count = count,
+                                                             .surfaceError = surfaceError_},
                          count);
 }
 

@@ -32,7 +32,8 @@ public:
                         const gpu::Array<glm::vec3>& gathered, const gpu::Array<float>& radii);
     void estimateCaustics(const gpu::Array<shared::VisiblePoint>& x, const gpu::Array<glm::vec3>& gathered,
                           const gpu::Array<float>& radii);
-    // Adds the radiance from irradiance records at the visible points, times `scale`.
+    // Adds the radiance from irradiance records at the visible points, times `scale`. Points that have found a record
+    // get depth 0; the others are for estimateGlobal.
     void addIrradiance(const gpu::Array<shared::VisiblePoint>& y, const gpu::Array<glm::vec3>& gathered, float scale);
     // Decides which lights are visible from the visible points; only if the settings request shadow photons.
     void classify(const gpu::Array<shared::VisiblePoint>& x, const gpu::Array<shared::uint>& lit,
@@ -49,17 +50,21 @@ private:
     [[nodiscard]] std::vector<shared::Photon> traceGlobal();
     [[nodiscard]] std::vector<shared::Photon> traceCaustics();
     [[nodiscard]] std::vector<shared::Photon> castShadows();
+    void limitRadii(); // by the density of the photons, where the settings leave them open
     [[nodiscard]] std::uint32_t sortInto(SearchableMap& map, const gpu::Array<shared::Photon>& photons,
                                          std::uint32_t base, float radius);
     [[nodiscard]] gpu::Array<shared::Photon> computeIrradiance(const gpu::Array<shared::Photon>& photons);
     [[nodiscard]] std::uint32_t classifiedNearest() const;
+    [[nodiscard]] PhotonDensity density(PhotonFilter filter) const;
 
     Device& device_;
     const Scene& scene_;
     const DeviceScene& deviceScene_;
     const PhotonMapSettings& settings_;
-    float globalRadius_;
-    float causticRadius_;
+    float globalRadius_;  // largest of an estimate from the global map [m]
+    float causticRadius_; // likewise, from the caustic map
+    float shadowRadius_;
+    float surfaceError_;
     PhotonLists lists_;
     std::vector<LightBalance> balance_;
     std::uint64_t raysTraced_ = 0;

@@ -68,7 +68,8 @@ void NearestPhotons::run(Device& device, const shared::PhotonMapRecord& map, sha
                                                         .nearest = search.nearest,
                                                         .kinds = search.kinds,
                                                         .count = count,
-                                                        .maxDepth = search.maxDepth},
+                                                        .maxDepth = search.maxDepth,
+                                                        .surfaceError = search.surfaceError},
                         count);
 }
 
@@ -96,7 +97,10 @@ void RadianceEstimate::run(Device& device, const shared::PhotonMapRecord& map, s
                                                           .filterKind = filterNumber(density.filter),
                                                           .count = count,
                                                           .maxDepth = search.maxDepth,
-                                                          .width = search.width},
+                                                          .width = search.width,
+                                                          .surfaceError = search.surfaceError,
+                                                          .eye = density.eye,
+                                                          .footprint = density.footprint},
                         count);
 }
 

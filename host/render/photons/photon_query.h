@@ -24,12 +24,15 @@ struct PhotonSearch {
     std::uint32_t kinds = 0;    // bit shared::kPhoton… is set for every kind that counts
     std::uint32_t maxDepth = 0; // segments of the photon's path and the camera's together
     std::uint32_t width = 0;    // of the picture, if the points are its pixels
+    float surfaceError = 0;     // of positions on surfaces [m]
 };
 
 struct PhotonDensity {
     PhotonFilter filter = PhotonFilter::None;
     float coneConstant = 1.1F; // the cone's radius over the disc's, >= 1
     float maxChange = 0;       // relative change of the density at which discs stop growing; 0: they do not stop
+    glm::vec3 eye{0};          // centre of the lens [m]
+    float footprint = 0;       // least radius of a disc over its distance from there
 };
 
 // Finds up to `nearest` photons for each point.

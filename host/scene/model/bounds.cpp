@@ -180,6 +180,16 @@ double sceneRadius(const Scene& scene) {
     return glm::length(box.high - box.low) / 2;
 }
 
+double surfaceError(const Scene& scene) {
+    const Bounds box = sceneBounds(scene);
+    const glm::dvec3 farthest = glm::max(glm::abs(box.low), glm::abs(box.high));
+    return 0x1p-20 * (std::max({farthest.x, farthest.y, farthest.z}) + sceneRadius(scene));
+}
+
+double pixelFootprint(const Camera& camera) {
+    return 2 * std::tan(glm::radians(camera.fov) / 2) / camera.resolution.y; // pixels are square
+}
+
 double globalSearchRadius(const Scene& scene) {
     return scene.render.radius > 0 ? scene.render.radius : sceneRadius(scene) / 8;
 }

@@ -48,8 +48,15 @@ struct LightSphere {
 // Radius of the scene's bounding sphere [m]: half the diagonal of its bounds.
 [[nodiscard]] double sceneRadius(const Scene& scene);
 
-// photonmap: the largest radius of an estimate [m]: render.radius and render.caustic_radius or, where these are 0, 1/8
-// and 1/25 of sceneRadius.
+// Bound on the distance of hits on bounded objects from the surface [m]: some roundings of their coordinates and of
+// rays across the scene.
+[[nodiscard]] double surfaceError(const Scene& scene);
+
+// Width of a pixel of the camera over the distance along its view: the square root of the area.
+[[nodiscard]] double pixelFootprint(const Camera& camera);
+
+// photonmap: the largest radius of an estimate [m]: render.radius and render.caustic_radius. Where these are 0, 1/8 and
+// 1/25 of sceneRadius, or less (largestEstimateFor).
 [[nodiscard]] double globalSearchRadius(const Scene& scene);
 [[nodiscard]] double causticSearchRadius(const Scene& scene);
 

@@ -43,7 +43,7 @@ struct PhotonMapSettings {
     PhotonStructure structure = PhotonStructure::Tree;
     std::uint32_t nearest = 50;        // photons in an estimate from the global map
     std::uint32_t causticNearest = 60; // photons in an estimate from the caustic map
-    double causticRadius = 0; // largest radius of that estimate [m]; 0: 1/25 of the scene's bounding sphere's radius
+    double causticRadius = 0;          // largest radius of that estimate [m]; 0: by the density of the photons
     PhotonFilter filter = PhotonFilter::None;
     PhotonFilter causticFilter = PhotonFilter::Cone;
     double coneConstant = 1.1;                      // k of the cone filter, >= 1
@@ -66,7 +66,7 @@ struct RenderSettings {
     RandomNumbers sampler = RandomNumbers::Sobol;
     double radius =
         0; // [m]; ppm: search radius of the first pass, 0: from the photon density (geometry/search_radius.h);
-           // photonmap: largest radius of an estimate, 0: 1/8 of the scene's bounding sphere's radius
+           // photonmap: largest radius of an estimate, 0: by the density of the photons
     double alpha = 2.0 / 3.0; // ppm: fraction of the photons that a shrinking radius keeps [Knaus11], in (0, 1)
     double minWeight =
         1.0 / 1024; // whitted: rays that would add less than this fraction to the pixel are not traced; 0: trace all

@@ -242,8 +242,8 @@ std::vector<Setting> renderRows() {
             {.doc = {.name = "radius",
                      .range = kSearchRadius,
                      .text = "ppm: search radius of the first pass for photons of indirect light; 0: [from their "
-                             "density](progressive.md#radii). photonmap: largest radius of an estimate; 0: 1/8 of the "
-                             "radius of the scene's bounding sphere"},
+                             "density](progressive.md#radii). photonmap: largest radius of an estimate; 0: "
+                             "[from their density](photon-mapping.md#the-nearest-photons)"},
              .label = "Search radius [m], 0: automatic"}),
         render<&RenderSettings::alpha>(
             {.doc = {.name = "alpha",
@@ -278,8 +278,7 @@ std::vector<Setting> photonMapRows() {
                      .range = kSearchRadius,
                      .text =
                          "ppm: search radius of the first pass for caustic photons; 0: from their density. photonmap: "
-                         "largest radius of an estimate from the caustic map; 0: 1/25 of the radius of the scene's "
-                         "bounding sphere"}}),
+                         "largest radius of an estimate from the caustic map; 0: from their density"}}),
         photonMap<&PhotonMapSettings::structure>(
             {.doc = {.name = "structure", .text = "data structure for photon lookups"}}),
         photonMap<&PhotonMapSettings::nearest>({.doc = {.name = "nearest",

@@ -92,12 +92,13 @@ std::map<std::string, HostLayout> hostLayouts() {
     HOST_LAYOUT(FinishSubtreesArguments, lists, others, nodes, count, level, stored);
     HOST_LAYOUT(PlacePhotonsArguments, photons, nodes, slots, sorted, order, count);
     HOST_LAYOUT(GatherRadianceArguments, visiblePoints, materials, cellStarts, gathered, grid.inverseCellSize,
-                grid.bucketMask, radius, count, maxDepth, width);
+                grid.bucketMask, radius, count, maxDepth, width, surfaceError);
     HOST_LAYOUT(NearestPhotonsArguments, visiblePoints, map.order, map.cellStarts, map.grid.inverseCellSize,
-                map.grid.bucketMask, map.base, map.count, found, radius, nearest, kinds, count, maxDepth);
+                map.grid.bucketMask, map.base, map.count, found, radius, nearest, kinds, count, maxDepth, surfaceError);
     HOST_LAYOUT(EstimateRadianceArguments, visiblePoints, materials, map.order, map.cellStarts,
                 map.grid.inverseCellSize, map.grid.bucketMask, map.base, map.count, gathered, radii, radius,
-                filterConstant, maxChange, nearest, kinds, filterKind, count, maxDepth, width);
+                filterConstant, maxChange, nearest, kinds, filterKind, count, maxDepth, width, surfaceError, eye,
+                footprint);
     HOST_LAYOUT(SumPathsArguments, pixels, light, radiance, count, live);
     HOST_LAYOUT(FilmSum, low, middle, high);
     HOST_LAYOUT(FilmColor, red.low, red.middle, red.high, green.low, green.middle, green.high, blue.low, blue.middle,
@@ -115,12 +116,12 @@ std::map<std::string, HostLayout> hostLayouts() {
                 nextPaths, alive, count, firstPhoton, room, live);
     HOST_LAYOUT(StartGatherRaysArguments, visiblePoints, materials, rays, paths, alive, count, pass);
     HOST_LAYOUT(BeginIrradianceArguments, photons, visiblePoints, count);
-    HOST_LAYOUT(StoreIrradianceArguments, photons, irradiance, records, count);
+    HOST_LAYOUT(StoreIrradianceArguments, photons, irradiance, radii, records, count);
     HOST_LAYOUT(LookUpIrradianceArguments, visiblePoints, materials, gathered, map.order, map.cellStarts,
-                map.grid.inverseCellSize, map.grid.bucketMask, map.base, map.count, radius, scale, count);
+                map.grid.inverseCellSize, map.grid.bucketMask, map.base, map.count, radius, scale, count, surfaceError);
     HOST_LAYOUT(ClassifyVisibilityArguments, visiblePoints, lit, shadowed, map.order, map.cellStarts,
                 map.grid.inverseCellSize, map.grid.bucketMask, map.base, map.count, lightCount, nearest, agreeing,
-                radius, count);
+                radius, count, surfaceError);
     HOST_LAYOUT(SkipShadowRaysArguments, lit, shadowed, shadowRays, contributions, direct, raysSaved, light, count);
     HOST_LAYOUT(SplatPhotonsArguments, photons, counts, camera.position, camera.forward, camera.right, camera.up,
                 camera.width, camera.height, camera.lensRadius, camera.focusDistance, camera.media, count, rootNode);

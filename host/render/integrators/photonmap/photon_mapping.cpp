@@ -216,13 +216,13 @@ void PhotonMapping::gatherIndirectLight(std::uint32_t pass) {
         cameraPaths_.follow(gather, gatherPoints_, unused_, nullptr);
         if (settings.precomputedIrradiance) {
             maps_.addIrradiance(gatherPoints_, indirect_, scale);
-        } else {
-            maps_.estimateGlobal(gatherPoints_, kAllLight, found_, radii_);
-            commands.run(addGatheredLight_,
-                         shared::AddGatheredLightArguments{
-                             .colors = found_, .gathered = indirect_, .count = pixels, .scale = scale},
-                         pixels);
         }
+        // Where no record is on the same surface nearby, or none is computed: a full estimate
+        maps_.estimateGlobal(gatherPoints_, kAllLight, found_, radii_);
+        commands.run(
+            addGatheredLight_,
+            shared::AddGatheredLightArguments{.colors = found_, .gathered = indirect_, .count = pixels, .scale = scale},
+            pixels);
     }
 }
 

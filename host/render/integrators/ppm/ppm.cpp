@@ -89,17 +89,29 @@ PhotonPass Ppm::photonPass(const Photons& photons, std::uint32_t pass) const {
             .aimed = photons.aimed};
 }
 
-double Ppm::radiusByPilot(const Photons& photons) {
-    PhotonPass pilot = photonPass(photons, 0);
-    pilot.count = std::min(pilot.count, kPilotPhotons);
+std::vector<glm::dvec3> Ppm::tracePilot(const PhotonPass& pilot) {
     const std::uint32_t slots = photonPaths_.trace(pilot);
     device_.commands.finish();
     std::vector<glm::dvec3> positions;
     for (const shared::Photon& photon : storedPhotons(photonPaths_.photons(), slots)) {
         positions.emplace_back(photon.position);
     }
+    return positions;
+}
+
+double Ppm::radiusByPilot(const Photons& photons) {
+    PhotonPass pilot = photonPass(photons, 0);
+    pilot.count = std::min(pilot.count, kPilotPhotons);
+    std::vector<glm::dvec3> positions = tracePilot(pilot);
+    if (positions.size() < kFewPhotons && pilot.count < photons.count) {
+        pilot.count = photons.count;
+        positions = tracePilot(pilot);
+    }
     const double wanted = photons.layer == kCaustic ? kCausticPhotonsPerSearch : kPhotonsPerSearch;
-    return searchRadiusFor(wanted, positions, pilot.count, photons.count, sceneRadius(scene_));
+    return searchRadiusFor(wanted, positions, pilot.count, photons.count,
+                           {.sceneRadius = sceneRadius(scene_),
+                            .eye = scene_.camera.position,
+                            .footprint = pixelFootprint(scene_.camera)});
 }
 
 void Ppm::renderPass(std::uint32_t pass) {
@@ -144,7 +156,8 @@ void Ppm::gather(const Photons& photons, std::uint32_t pass) {
                                                          .radius = radius,
                                                          .count = pixels,
                                                          .maxDepth = scene_.render.maxDepth,
-                                                         .width = film_.resolution().x},
+                                                         .width = film_.resolution().x,
+                                                         .surfaceError = static_cast<float>(surfaceError(scene_))},
                          pixels);
     counts_[Counter::PhotonRays] += photonPaths_.raysTraced() - raysBefore;
     const bool caustic = photons.layer == kCaustic;

@@ -35,6 +35,7 @@ private:
     };
     [[nodiscard]] static std::vector<Photons> photonsOf(const Scene& scene, const DeviceScene& deviceScene);
     [[nodiscard]] PhotonPass photonPass(const Photons& photons, std::uint32_t pass) const;
+    [[nodiscard]] std::vector<glm::dvec3> tracePilot(const PhotonPass& pilot); // where its photons landed [m]
     [[nodiscard]] double radiusByPilot(const Photons& photons);
 
     void sampleDirectLight(std::uint32_t pass);
