@@ -44,8 +44,11 @@ struct BenchReport {
 
 Scene sceneNamed(const std::string& name, bool strict) {
     const auto& builtIn = bench::builtInScenes();
-    Scene scene = std::ranges::find(builtIn, name) != builtIn.end() ? bench::makeBuiltInScene(name) : loadScene(name);
-    printWarnings(scene.warnings, strict);
+    if (std::ranges::find(builtIn, name) != builtIn.end()) {
+        return bench::makeBuiltInScene(name);
+    }
+    Scene scene = loadScene(name);
+    printWarnings(warningsOf(scene), strict);
     return scene;
 }
 

@@ -61,7 +61,6 @@ Scene loadSought(const Sought& sought, bool atTestSize) {
         parity::shrinkToTestSize(scene);
     }
     applySettings(scene, sought.settings.given());
-    printWarnings(scene.warnings, sought.strict);
     return scene;
 }
 
@@ -94,6 +93,8 @@ void refuseAbsentStages(const std::vector<std::string>& wanted, const parity::Re
 
 void runParity(const ParityCommand& command, ExitCode& exit) {
     const Scene scene = loadSought(command, !command.fullSize);
+    const std::vector<std::string> warnings = textsOf(warningsOf(scene));
+    printWarnings(warnings, command.strict);
     const std::filesystem::path page = std::filesystem::path(command.report) / "parity.html";
     if (!command.report.empty()) {
         std::error_code ignored; // checkWritable reports the error
@@ -106,7 +107,7 @@ void runParity(const ParityCommand& command, ExitCode& exit) {
     refuseAbsentStages(command.stages, result);
     device.checkValidation();
     const parity::Circumstances circumstances{command.scene, commandLine(command), describeMachine(device.context()),
-                                              textsOf(scene.warnings)};
+                                              warnings};
     if (!command.report.empty()) {
         const std::string html = parity::toHtml(result, scene, circumstances);
         writeFileAtomically(page, std::as_bytes(std::span(html)));
@@ -129,6 +130,7 @@ void runInspect(const InspectCommand& command) {
         throw Error(ExitCode::WrongUsage, "inspect needs either a pixel or a photon", "give --pixel X,Y or --photon N");
     }
     const Scene scene = loadSought(command, command.testSize);
+    printWarnings(warningsOf(scene), command.strict);
     std::optional<std::uint32_t> pixel;
     if (command.pixel) {
         const glm::uvec2& resolution = scene.camera.resolution;

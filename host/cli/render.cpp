@@ -266,7 +266,7 @@ void renderScene(RenderCommand command, ExitCode& exit) {
     refuseUnused(command, scene);
 
     RenderReport report;
-    report.sceneWarnings = textsOf(scene.warnings);
+    report.sceneWarnings = textsOf(warningsOf(scene));
     printWarnings(report.sceneWarnings, command.strict);
     report.scene = command.scene;
     report.integrator = scene.render.integrator;

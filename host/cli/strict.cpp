@@ -1,12 +1,22 @@
 #include "cli/strict.h"
 
+#include "scene/checks/light_check.h"
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
+#include <iterator>
 
 namespace hyalite::cli {
 
 void addStrictOption(CLI::App& app, bool& strict) {
     app.add_flag("--strict", strict, "make every warning an error (exit code 3)");
+}
+
+std::vector<Warning> warningsOf(const Scene& scene) {
+    std::vector<Warning> warnings = scene.warnings;
+    std::ranges::move(checks::lightWarnings(scene), std::back_inserter(warnings));
+    return warnings;
 }
 
 void printWarnings(const std::vector<Warning>& warnings, bool strict) {

@@ -1,7 +1,7 @@
 // Warnings on stderr, and the option --strict that makes errors of them.
 #pragma once
 
-#include "scene/model/warning.h"
+#include "scene/model/scene.h"
 
 #include <string>
 #include <vector>
@@ -13,6 +13,9 @@ class App;
 namespace hyalite::cli {
 
 void addStrictOption(CLI::App& app, bool& strict);
+
+// All warnings about the scene, which has its settings.
+[[nodiscard]] std::vector<Warning> warningsOf(const Scene& scene);
 
 // Prints a line for each warning. With `strict` these are errors: throws Error(BadInput) if there is one.
 void printWarnings(const std::vector<Warning>& warnings, bool strict);

@@ -4,8 +4,8 @@ import posixpath
 import re
 
 RULE = (
-    "base <- image <- scene <- geometry <- {gpu, reference} <- kinds <- {scene/load, describe} <- render <- {parity, bench} <- live <- cli; "
-    "Vulkan only under host/gpu; host/scene is model <- import <- yaml, and load stands above kinds; "
+    "base <- image <- scene <- geometry <- {gpu, reference} <- {kinds, scene/checks} <- {scene/load, describe} <- render <- {parity, bench} <- live <- cli; "
+    "Vulkan only under host/gpu; host/scene is model <- import <- yaml, load stands above kinds, and checks above reference; "
     "host/render is upload <- wavefront <- film <- photons <- integrators <- debug, then the renderer; "
     "host/live is messages <- {page, worker} <- supervisor <- server; "
     "of shaders/ the reference takes only shared/{random,limits,language}.h"
@@ -19,6 +19,7 @@ RANK = {
     "gpu": 4,
     "reference": 4,
     "kinds": 5,
+    "scene/checks": 5,
     "scene/load": 6,
     "describe": 6,
     "render": 7,

@@ -6,6 +6,7 @@
 #include "render/integrators/registry.h"
 #include "render/picture_check.h"
 #include "render/upload/custom_code.h"
+#include "scene/checks/light_check.h"
 #include "scene/load/load_scene.h"
 #include "scene/model/integrators.h"
 #include "scene/yaml/settings.h"
@@ -76,7 +77,7 @@ void LiveRenderer::load(const std::filesystem::path& file, const reference::Twin
     device_.forget(compiler_.takeChanged());
     useCodeOf(seen);
     loaded_ = std::move(loaded);
-    scene_ = std::move(seen);
+    show(std::move(seen), /*isNew*/ true);
 }
 
 void LiveRenderer::useCodeOf(const Scene& scene) {
@@ -120,9 +121,17 @@ void LiveRenderer::look(View view) {
         Scene seen = withView(*loaded_, view);
         drop();
         useCodeOf(seen);
-        scene_ = std::move(seen);
+        show(std::move(seen), /*isNew*/ false);
     }
     view_ = std::move(view);
+}
+
+void LiveRenderer::show(Scene seen, bool isNew) {
+    // Not for every move of the camera: the warnings are those of the view in which the scene was loaded
+    if (isNew || seen.render.integrator != scene_.render.integrator) {
+        lightWarnings_ = checks::lightWarnings(seen);
+    }
+    scene_ = std::move(seen);
 }
 
 void LiveRenderer::forget(const std::set<std::string>& kernels) {
@@ -230,12 +239,12 @@ LiveRenderer::Frame LiveRenderer::frame() {
     frame.stages = timesOfPass_;
     frame.counts = run_->integrator->counts();
     frame.notes = run_->integrator->notes();
-    for (const Warning& warning : scene_.warnings) {
-        frame.notes.warnings.push_back(warning.text());
-    }
+    const auto add = [&](const Warning& warning) { frame.notes.warnings.push_back(warning.text()); };
+    std::ranges::for_each(scene_.warnings, add);
+    std::ranges::for_each(lightWarnings_, add);
     if (isDone() && !run_->isPreview && !debugQuantity(view_.shown)) {
         if (const auto black = render::blackPicture(frame.image.picture, scene_)) {
-            frame.notes.warnings.push_back(black->text());
+            add(*black);
         }
     }
     return frame;

@@ -86,6 +86,7 @@ private:
         std::uint32_t passes = 0;
         bool isPreview = false;
     };
+    void show(Scene seen, bool isNew); // renders this scene from now on
     [[nodiscard]] static Scene withView(const Loaded& loaded, const View& view);
     // Gives the compiler the scene's own code, and forgets the kernels that it changes.
     void useCodeOf(const Scene& scene);
@@ -103,6 +104,7 @@ private:
     std::unique_ptr<Loaded> loaded_;
     View view_;
     Scene scene_;                             // with the view's settings
+    std::vector<Warning> lightWarnings_;      // of scene_
     std::map<std::string, std::string> code_; // of scene_, as the compiler has it
     std::unique_ptr<Run> run_;
     double previewPixels_ = 128.0 * 96.0; // of the next preview, adapted to how long the last one took

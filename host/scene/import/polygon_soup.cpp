@@ -2,7 +2,9 @@
 #include "scene/import/polygon_soup.h"
 
 #include "base/numbers.h"
+#include "scene/model/mesh_weld.h"
 #include "scene/model/recentre.h"
+#include "scene/model/repeated_faces.h"
 #include "scene/model/scene_limits.h"
 
 #include <algorithm>
@@ -60,10 +62,9 @@ public:
     }
 
     Mesh build() {
-        // A polygon of n corners makes n - 2 triangles.
-        const std::size_t triangles = soup_.corners.size() - 2 * soup_.polygons.size();
-        checkTriangleCount(triangles, mesh_.file);
-        mesh_.triangles.reserve(triangles);
+        checkTriangleCount(triangles(), mesh_.file);
+        mesh_.triangles.reserve(triangles());
+        alignRepeatedPolygons();
         if (numbersMatch_ && isSmooth_) {
             makeUnitNormals();
         }
@@ -82,6 +83,32 @@ public:
     }
 
 private:
+    // Lets polygons that repeat earlier ones begin at the same corner, so that both are cut into the same triangles.
+    void alignRepeatedPolygons() {
+        if (triangles() == soup_.polygons.size()) {
+            return; // there are only triangles
+        }
+        const std::vector<std::uint32_t> first = weldPositions(std::span<const glm::dvec3>(soup_.positions));
+        std::vector<std::uint32_t> corners;
+        std::vector<std::size_t> ends;
+        for (const Corner& corner : soup_.corners) {
+            corners.push_back(first[corner.position]);
+        }
+        for (const Polygon& polygon : soup_.polygons) {
+            ends.push_back(polygon.end);
+        }
+        const std::vector<std::uint32_t> turns = turnsToRepeat(corners, ends);
+        std::size_t begin = 0;
+        for (std::size_t i = 0; i < ends.size(); ++i) {
+            const std::span<Corner> polygon = std::span(soup_.corners).subspan(begin, ends[i] - begin);
+            std::ranges::rotate(polygon, polygon.begin() + turns[i]);
+            begin = ends[i];
+        }
+    }
+
+    // A polygon of n corners makes n - 2 triangles.
+    [[nodiscard]] std::size_t triangles() const { return soup_.corners.size() - 2 * soup_.polygons.size(); }
+
     [[noreturn]] void fail(std::size_t polygon, const std::string& what, const std::string& hint) const {
         const int line = soup_.polygons[polygon].line;
         throw Error(ExitCode::BadInput, SourceLocation{mesh_.file, line, line > 0 ? 1 : 0},
@@ -132,6 +159,9 @@ private:
         for (std::size_t k = 1; k + 1 < count; ++k) {
             mesh_.triangles.emplace_back(polygon_[start], polygon_[(start + k) % count],
                                          polygon_[(start + k + 1) % count]);
+            if (soup_.polygons[index].line > 0) {
+                mesh_.lines.push_back(static_cast<std::uint32_t>(soup_.polygons[index].line));
+            }
         }
     }
 

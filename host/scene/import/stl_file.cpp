@@ -32,8 +32,12 @@ bool isBinary(std::string_view bytes) {
            bytes.find('\0') != std::string_view::npos;
 }
 
-// Both parsers return the corners, three a triangle.
-std::vector<glm::dvec3> parseBinary(std::string_view bytes, const std::string& file) {
+struct StlTriangles {
+    std::vector<glm::dvec3> corners;  // three a triangle [m]
+    std::vector<std::uint32_t> lines; // of the triangles; empty: the file is binary
+};
+
+StlTriangles parseBinary(std::string_view bytes, const std::string& file) {
     const auto fail = [&](const std::string& what, const std::string& hint) {
         throw Error(ExitCode::BadInput, SourceLocation{file, 0, 0}, what, hint);
     };
@@ -66,14 +70,14 @@ std::vector<glm::dvec3> parseBinary(std::string_view bytes, const std::string& f
             corners.emplace_back(position);
         }
     }
-    return corners;
+    return {std::move(corners), {}};
 }
 
 class TextParser {
 public:
     TextParser(std::string_view bytes, std::string file) : bytes_(bytes), file_(std::move(file)) {}
 
-    std::vector<glm::dvec3> parse() {
+    StlTriangles parse() {
         for (std::string word = keyword(); !word.empty(); word = keyword()) { // some programs write several solids
             expect("solid", word);
             skipLine(); // its name
@@ -83,14 +87,15 @@ public:
             expect("endsolid", word);
             skipLine();
         }
-        checkTriangleCount(corners_.size() / 3, file_);
-        return std::move(corners_);
+        checkTriangleCount(read_.corners.size() / 3, file_);
+        return std::move(read_);
     }
 
 private:
     static constexpr std::string_view kBlanks = " \t\r\v\f";
 
     void readFacet() {
+        read_.lines.push_back(static_cast<std::uint32_t>(line_));
         expect("normal", keyword());
         for (int axis = 0; axis < 3; ++axis) {
             static_cast<void>(number());
@@ -107,7 +112,7 @@ private:
                 }
                 position[axis] = value;
             }
-            corners_.push_back(position);
+            read_.corners.push_back(position);
         }
         expect("endloop", keyword());
         expect("endfacet", keyword());
@@ -156,7 +161,7 @@ private:
 
     std::string_view bytes_;
     std::string file_;
-    std::vector<glm::dvec3> corners_;
+    StlTriangles read_;
     std::size_t at_ = 0;
     std::size_t word_ = 0; // where the last word begins
     std::size_t lineBegin_ = 0;
@@ -168,7 +173,9 @@ private:
 Mesh parseStl(std::string_view bytes, const std::string& file) {
     Mesh mesh;
     mesh.file = file;
-    setPositions(mesh, isBinary(bytes) ? parseBinary(bytes, file) : TextParser(bytes, file).parse());
+    StlTriangles read = isBinary(bytes) ? parseBinary(bytes, file) : TextParser(bytes, file).parse();
+    setPositions(mesh, read.corners);
+    mesh.lines = std::move(read.lines);
     const auto corners = static_cast<std::uint32_t>(mesh.positions.size());
     mesh.triangles.reserve(corners / 3);
     for (std::uint32_t corner = 0; corner < corners; corner += 3) {

@@ -4,9 +4,11 @@
 #include "base/input_file.h"
 #include "kinds/lights/area.h"
 #include "reference/media/media_depth.h"
+#include "scene/checks/glass_check.h"
 #include "scene/load/read_lights.h"
 #include "scene/load/read_materials.h"
 #include "scene/load/read_shapes.h"
+#include "scene/load/repeated_objects.h"
 #include "scene/model/bounds.h"
 #include "scene/model/recentre.h"
 #include "scene/model/scene_limits.h"
@@ -108,6 +110,10 @@ std::vector<Object> readCopy(const Value& value, const glm::dmat4& place, Scene&
         object.photonShare = emission.photonShare;
         if (emission.where) {
             kinds::checkEmission(*emission.where, object.shape, scene);
+            if (object.emission == glm::dvec3(0)) {
+                warn(scene, {WarningKind::UnseenLight, emission.where->where(), "this emission is 0",
+                             "leave it out, or give the object a material"});
+            }
         }
         // The shapes in a csg were checked when they were read
         if (!object.material && !emission.where && !std::holds_alternative<Csg>(object.shape)) {
@@ -173,7 +179,7 @@ void readScene(const Value& root, const std::filesystem::path& folder, Scene& sc
             readLight(Value(light.node(), light.file(), "light"), folder, scene);
         }
     }
-    MeshLibrary meshes(folder, scene.meshes);
+    MeshLibrary meshes(folder, scene);
     for (const Value& object : objects.list()) {
         std::vector<Object> parts = readObject(Value(object.node(), object.file(), "object"), scene, meshes);
         std::move(parts.begin(), parts.end(), std::back_inserter(scene.objects));
@@ -183,6 +189,10 @@ void readScene(const Value& root, const std::filesystem::path& folder, Scene& sc
     }
     checkScene(root, scene);
     checkTextures(scene);
+    dropRepeatedObjects(scene);
+    checks::turnInsideOutGlass(scene);
+    checks::findOpenGlass(scene);
+    checks::findBackToBackFaces(scene);
     reference::checkMediaDepth(scene);
     recentre(scene);
 }

@@ -2,25 +2,27 @@
 #include "scene/model/mesh_weld.h"
 
 #include <bit>
+#include <type_traits>
 
 namespace hyalite {
 namespace {
 
 constexpr std::uint32_t kEmpty = 0xffffffffU;
 
-std::uint64_t hash(const glm::vec3& position) {
+template <class Position>
+std::uint64_t hash(const Position& position) {
+    using Bits = std::conditional_t<std::is_same_v<Position, glm::vec3>, std::uint32_t, std::uint64_t>;
     std::uint64_t state = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        const float canonical = position[axis] + 0.0F; // -0 becomes 0
-        state = (state ^ std::bit_cast<std::uint32_t>(canonical)) * 0x9e3779b97f4a7c15U;
+        const auto canonical = position[axis] + typename Position::value_type{0}; // -0 becomes 0
+        state = (state ^ std::bit_cast<Bits>(canonical)) * 0x9e3779b97f4a7c15U;
         state ^= state >> 32U;
     }
     return state;
 }
 
-} // namespace
-
-std::vector<std::uint32_t> weldPositions(std::span<const glm::vec3> positions) {
+template <class Position>
+std::vector<std::uint32_t> weld(std::span<const Position> positions) {
     std::vector<std::uint32_t> first(positions.size());
     // At most half full, so that probing stays short.
     const std::size_t slots = std::bit_ceil(2 * positions.size() + 1);
@@ -36,6 +38,16 @@ std::vector<std::uint32_t> weldPositions(std::span<const glm::vec3> positions) {
         first[i] = table[slot];
     }
     return first;
+}
+
+} // namespace
+
+std::vector<std::uint32_t> weldPositions(std::span<const glm::vec3> positions) {
+    return weld(positions);
+}
+
+std::vector<std::uint32_t> weldPositions(std::span<const glm::dvec3> positions) {
+    return weld(positions);
 }
 
 void weldVertices(Mesh& mesh) {

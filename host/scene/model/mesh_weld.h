@@ -12,6 +12,7 @@ namespace hyalite {
 
 // For each position the index of the first equal one (0 equals -0). Positions must be finite and fewer than 2^31.
 [[nodiscard]] std::vector<std::uint32_t> weldPositions(std::span<const glm::vec3> positions);
+[[nodiscard]] std::vector<std::uint32_t> weldPositions(std::span<const glm::dvec3> positions);
 
 // Merges equal positions of a mesh without other per-vertex data; the remaining positions keep their order.
 void weldVertices(Mesh& mesh);

@@ -228,7 +228,7 @@ struct Mesh {
     std::vector<glm::vec3> normals;    // per position, unit; empty: flat shading
     std::vector<glm::uvec3> triangles; // indices into positions, counter-clockwise seen from the front
     std::vector<glm::vec2> uvs;        // per position, v upwards; empty: none
-    std::vector<std::uint32_t> lines;  // per triangle, of its face in the file; empty: a file without lines
+    std::vector<std::uint32_t> lines{}; // per triangle, of its face in the file; empty: a file without lines
 };
 
 struct Scene {

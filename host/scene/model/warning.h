@@ -13,7 +13,16 @@ namespace hyalite {
 
 struct Scene;
 
-enum class WarningKind : std::uint8_t { BlackPicture };
+enum class WarningKind : std::uint8_t {
+    RepeatedFaces,
+    RepeatedObject,
+    BackToBack,
+    OpenGlass,
+    TurnedFaces,
+    UnseenLight,
+    UnseenCaustic,
+    BlackPicture
+};
 
 struct WarningRow {
     WarningKind kind;
@@ -23,6 +32,24 @@ struct WarningRow {
 
 // One row per kind, in their order.
 inline constexpr std::array kWarningRows{
+    WarningRow{WarningKind::RepeatedFaces, "repeated-faces",
+               "a mesh file lists a face twice with the same orientation; the second is left out"},
+    WarningRow{WarningKind::RepeatedObject, "repeated-object",
+               "an object has the shape and the place of an earlier one; it is left out if all else is equal too"},
+    WarningRow{
+        WarningKind::BackToBack, "back-to-back",
+        "two faces that emit light, or of glass, lie back to back in one place: rounding decides which of them a "
+        "ray meets"},
+    WarningRow{WarningKind::OpenGlass, "open-glass",
+               "a dielectric has no inside: a quad, a disk, an open shape or an open mesh"},
+    WarningRow{WarningKind::TurnedFaces, "turned-faces",
+               "faces of a closed mesh of glass are wound inward; they are turned where that is certain"},
+    WarningRow{WarningKind::UnseenLight, "unseen-light",
+               "of 1024 paths from a light none reaches what the camera sees, or an `emission` is 0"},
+    WarningRow{
+        WarningKind::UnseenCaustic, "unseen-caustic",
+        "mirrors or glass send light to diffuse surfaces in a way that the integrator leaves out: `whitted` all, "
+        "`path` that of lights without a surface (point, spot, directional)"},
     WarningRow{WarningKind::BlackPicture, "black-picture", "all pixels of the picture are 0"},
 };
 
@@ -44,7 +71,7 @@ struct Warning {
     [[nodiscard]] std::string text() const { return asError().what(); }
 };
 
-// Adds the warning to the scene's, unless the scene accepts its kind.
+// Adds the warning to the scene's, unless the scene accepts its kind or the last one is of this kind and place.
 void warn(Scene& scene, Warning warning);
 
 } // namespace hyalite

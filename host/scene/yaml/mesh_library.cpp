@@ -4,8 +4,8 @@
 #include "scene/import/mesh_import.h"
 #include "scene/import/teapot.h"
 #include "scene/model/bounds.h"
+#include "scene/model/repeated_faces.h"
 
-#include <iterator>
 #include <system_error>
 
 namespace hyalite {
@@ -26,9 +26,9 @@ std::size_t MeshLibrary::load(const Value& file) {
     if (const auto known = loaded_.find(key); known != loaded_.end()) {
         return known->second;
     }
-    meshes_->push_back(importMesh(path, file.where()));
-    loaded_.emplace(std::move(key), meshes_->size() - 1);
-    return meshes_->size() - 1;
+    add(importMesh(path, file.where()));
+    loaded_.emplace(std::move(key), scene_->meshes.size() - 1);
+    return scene_->meshes.size() - 1;
 }
 
 MeshParts& MeshLibrary::loadParts(const Value& file) {
@@ -38,20 +38,41 @@ MeshParts& MeshLibrary::loadParts(const Value& file) {
         return known->second;
     }
     ImportedFile imported = importGltf(path, file.where());
-    for (ImportedPart& part : imported.parts) {
-        part.mesh += meshes_->size();
+    std::vector<std::string> names(imported.meshes.size()); // of the first part with each mesh
+    for (const ImportedPart& part : imported.parts) {
+        names[part.mesh] = names[part.mesh].empty() ? part.name : names[part.mesh];
     }
-    std::move(imported.meshes.begin(), imported.meshes.end(), std::back_inserter(*meshes_));
+    for (ImportedPart& part : imported.parts) {
+        part.mesh += scene_->meshes.size();
+    }
+    for (std::size_t i = 0; i < imported.meshes.size(); ++i) {
+        add(std::move(imported.meshes[i]), names[i]);
+    }
     MeshParts parts{std::move(imported.materials), std::move(imported.parts)};
     return parts_.emplace(std::move(key), std::move(parts)).first->second;
 }
 
 std::size_t MeshLibrary::loadTeapot(std::uint32_t level) {
-    const auto [known, isNew] = teapots_.try_emplace(level, meshes_->size());
+    const auto [known, isNew] = teapots_.try_emplace(level, scene_->meshes.size());
     if (isNew) {
-        meshes_->push_back(makeTeapot(level));
+        scene_->meshes.push_back(makeTeapot(level));
     }
     return known->second;
+}
+
+void MeshLibrary::add(Mesh mesh, const std::string& part) {
+    if (const auto repeated = dropRepeatedFaces(mesh)) {
+        const std::string first = repeated->line > 0
+                                      ? "this face lists a triangle of line " + std::to_string(repeated->lineOfFirst)
+                                      : "triangle " + std::to_string(repeated->example.second + 1) + " is triangle " +
+                                            std::to_string(repeated->example.first + 1);
+        warn(*scene_,
+             {WarningKind::RepeatedFaces, SourceLocation{mesh.file, repeated->line, repeated->line > 0 ? 1 : 0},
+              (part.empty() ? "" : part + ": ") + first + " again; " + std::to_string(repeated->count) +
+                  (repeated->count == 1 ? " repeated triangle is" : " repeated triangles are") + " left out",
+              "export every face once"});
+    }
+    scene_->meshes.push_back(std::move(mesh));
 }
 
 const Bounds& MeshLibrary::boundsOf(std::size_t index) {

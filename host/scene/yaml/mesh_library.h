@@ -20,9 +20,9 @@ struct MeshParts {
 
 class MeshLibrary {
 public:
-    // Mesh paths are relative to `folder`; the meshes are put into `meshes`, which must outlive the library.
-    MeshLibrary(std::filesystem::path folder, std::vector<Mesh>& meshes)
-        : folder_(std::move(folder)), meshes_(&meshes) {}
+    // Mesh paths are relative to `folder`; the meshes and warnings about them are added to the scene, which must
+    // outlive the library.
+    MeshLibrary(std::filesystem::path folder, Scene& scene) : folder_(std::move(folder)), scene_(&scene) {}
 
     // Index of the mesh in the named file, all its parts merged. Throws Error(BadInput): for an unreadable file, at the
     // place of its name in the scene; for a mistake in the file, at its place in the mesh file.
@@ -34,7 +34,7 @@ public:
     // Index of the teapot of this level (see makeTeapot).
     [[nodiscard]] std::size_t loadTeapot(std::uint32_t level);
 
-    [[nodiscard]] const Mesh& at(std::size_t index) const { return (*meshes_)[index]; }
+    [[nodiscard]] const Mesh& at(std::size_t index) const { return scene_->meshes[index]; }
 
     // Bounds of the mesh in its object space.
     [[nodiscard]] const Bounds& boundsOf(std::size_t index);
@@ -42,8 +42,11 @@ public:
 private:
     [[nodiscard]] std::filesystem::path pathOf(const Value& file) const { return folder_ / file.text(); }
 
+    // Adds a mesh without the faces that it repeats, which cause a warning; `part` of its file, if not all of it.
+    void add(Mesh mesh, const std::string& part = {});
+
     std::filesystem::path folder_;
-    std::vector<Mesh>* meshes_;
+    Scene* scene_;
     std::map<std::filesystem::path, std::size_t> loaded_;
     std::map<std::filesystem::path, MeshParts> parts_;
     std::map<std::uint32_t, std::size_t> teapots_; // by level

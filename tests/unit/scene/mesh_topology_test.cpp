@@ -40,7 +40,7 @@ Mesh soup(const Mesh& mesh) {
 TEST_CASE("equal positions are welded to the first of them, 0 and -0 included") {
     const std::vector<glm::vec3> positions{{0, 1, 2}, {1, 0, 2}, {-0.0F, 1, 2}, {1, 0, 2.5F}, {1, -0.0F, 2}};
     CHECK(weldPositions(positions) == std::vector<std::uint32_t>{0, 1, 0, 3, 1});
-    CHECK(weldPositions({}).empty());
+    CHECK(weldPositions(std::span<const glm::vec3>()).empty());
 }
 
 TEST_CASE("a million positions on a line are welded in pairs") {
