@@ -7,6 +7,7 @@
 #include "render/renderer.h"
 #include "render/upload/custom_code.h"
 #include "render/wavefront/device.h"
+#include "render/wavefront/learn_lights.h"
 
 #include <algorithm>
 #include <utility>
@@ -42,6 +43,7 @@ public:
         compiler_.replace(render::customCode(scene));
         device_.emplace(context, compiler_, false);
         deviceScene_ = render::uploadScene(context, device_->tables, scene);
+        render::learnLights(*device_, scene, deviceScene_);
         session_.emplace(*device_, scene, deviceScene_);
     }
 
@@ -87,6 +89,9 @@ Result compareSides(const gpu::Context& context, const gpu::ShaderCompiler& comp
     renderOptions.onUpload = [&](render::Device& device, const render::DeviceScene& deviceScene) {
         session.emplace(device, scene, deviceScene);
         observation = session->watch(options.stages);
+        if (render::learnsLights(scene, deviceScene)) { // once more, seen by the twin
+            static_cast<void>(render::tryLights(device, scene, deviceScene));
+        }
     };
     render::RenderResult rendered = render::render(context, compiler, scene, renderOptions);
     Result result;

@@ -28,6 +28,19 @@ double scaleOf(const Scene& scene, const reference::World& world) {
     return scale;
 }
 
+// The device may have learned them from paths that rounding made different.
+void takeProbabilities(const render::DeviceScene& deviceScene, reference::World& world) {
+    const std::vector<shared::LightRecord> lights = deviceScene.lights.read();
+    for (std::size_t i = 0; i < lights.size() && i < world.lights.size(); ++i) {
+        world.lights[i].pmf = double{lights[i].pmf};
+        world.lights[i].cdf = double{lights[i].cdf};
+    }
+    const std::vector<shared::LightNode> nodes = deviceScene.lightNodes.read();
+    for (std::size_t i = 0; i < nodes.size() && i < world.lightTree.nodes.size(); ++i) {
+        world.lightTree.nodes[i].extent.intensity = double{nodes[i].intensity};
+    }
+}
+
 } // namespace
 
 dvec3 unpackDirection(std::uint32_t packed, std::uint32_t bits) {
@@ -45,7 +58,9 @@ dvec3 unpackDirection(std::uint32_t packed, std::uint32_t bits) {
 
 Sides::Sides(const Scene& scene, const render::DeviceScene& deviceScene)
     : scene_(scene), objectOf_(deviceScene.objectOf), leafOf_(deviceScene.leafOf), triangleOf_(deviceScene.triangleOf),
-      world_(reference::prepareWorld(scene)), scale_(scaleOf(scene, world_)) {}
+      world_(reference::prepareWorld(scene)), scale_(scaleOf(scene, world_)) {
+    takeProbabilities(deviceScene, world_);
+}
 
 reference::Ray Sides::toTwin(const shared::Ray& ray) const {
     return {.origin = ray.origin, .direction = glm::normalize(dvec3(ray.direction)), .tMax = double{ray.tMax}};

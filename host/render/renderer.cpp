@@ -4,6 +4,7 @@
 #include "render/film/scene_identity.h"
 #include "render/integrators/registry.h"
 #include "render/upload/custom_code.h"
+#include "render/wavefront/learn_lights.h"
 
 #include <bit>
 
@@ -94,7 +95,7 @@ RenderResult render(const gpu::Context& context, const gpu::ShaderCompiler& comp
     gpu::ShaderCompiler withCustomCode(compiler);
     withCustomCode.replace(customCode(scene));
     Device device(context, withCustomCode, options.profile);
-    const DeviceScene deviceScene = uploadScene(context, device.tables, scene);
+    DeviceScene deviceScene = uploadScene(context, device.tables, scene);
     const IntegratorKind& kind = integratorKind(scene);
     Film film(device, scene.camera.resolution, kind.layers(scene.render));
     const auto integrator = kind.make({.device = device,
@@ -102,6 +103,7 @@ RenderResult render(const gpu::Context& context, const gpu::ShaderCompiler& comp
                                        .deviceScene = deviceScene,
                                        .film = film,
                                        .photonFiles = options.photonFiles});
+    learnLights(device, scene, deviceScene);
     integrator->prepare();
     if (options.onUpload) {
         options.onUpload(device, deviceScene);

@@ -49,6 +49,7 @@ class Comparison(CliTest):
         kernels -= {"self_test", "nearest_photons", "show_surface"}
         seen = set()
         runs = [
+            ("tests/lamp-under-sun.yaml",),
             ("cornell-box.yaml", "--integrator", "path"),
             ("cornell-box.yaml",),
             ("cornell-box.yaml", "--set", "render.shadow_photons=8", "--set", "render.structure=grid"),

@@ -60,6 +60,8 @@ FAULTS = [
      "sample_lights"),
     ("light picked as if its distance did not matter", "lights/pick_light.glsl",
      "fade / max(max(distance2, radius2), kNearestLight2)", "fade", "tests/all-lights.yaml", "sample_lights"),
+    ("lights tried through walls", "kernels/try_lights.comp", ".object == kNone", ".object != kNone - 1u",
+     "tests/lamp-under-sun.yaml", "try_lights"),
     ("pixels without light forgotten", "kernels/estimate_error.comp", "error = vec3(sought ? sqrt(kDarkFloor) : 0.0)",
      "error = vec3(0.0)", "tests/lamp-under-sun.yaml", "estimate_error"),
     ("light found by two strategies and counted twice", "lights/direct_light.glsl",

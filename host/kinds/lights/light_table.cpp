@@ -57,14 +57,11 @@ shared::LightRecord endlessLight(const Scene& scene, std::uint32_t type) {
 namespace {
 
 void setProbabilities(LightTable& table) {
-    const double flux = std::accumulate(table.weights.begin(), table.weights.end(), 0.0);
-    const double shares = std::accumulate(table.shares.begin(), table.shares.end(), 0.0);
-    constexpr double kEven = shared::kEvenPhotons;
+    const std::vector<double> pmf = photonPmf(table.weights, table.shares);
     double sum = 0;
-    for (std::size_t i = 0; i < table.weights.size(); ++i) {
-        const double pmf = (1 - kEven) * table.weights[i] / flux + kEven * table.shares[i] / shares;
-        sum += pmf;
-        table.lights[i].pmf = static_cast<float>(pmf);
+    for (std::size_t i = 0; i < pmf.size(); ++i) {
+        sum += pmf[i];
+        table.lights[i].pmf = static_cast<float>(pmf[i]);
         table.lights[i].cdf = static_cast<float>(sum);
     }
     if (!table.lights.empty()) {
@@ -88,9 +85,7 @@ shared::LightNode nodeRecord(const LightTree::Node& node) {
 
 void addNodes(const Scene& scene, LightTable& table) {
     const LightTree tree = buildLightTree(lightExtents(scene));
-    for (const LightTree::Node& node : tree.nodes) {
-        table.nodes.push_back(nodeRecord(node));
-    }
+    table.nodes = nodeRecords(tree);
     table.farCount = tree.farCount;
     for (std::size_t i = 0; i < table.lights.size(); ++i) {
         table.lights[i].node = tree.leafOf.at(i);
@@ -98,6 +93,25 @@ void addNodes(const Scene& scene, LightTable& table) {
 }
 
 } // namespace
+
+std::vector<double> photonPmf(const std::vector<double>& weights, const std::vector<double>& shares) {
+    const double flux = std::accumulate(weights.begin(), weights.end(), 0.0);
+    const double all = std::accumulate(shares.begin(), shares.end(), 0.0);
+    constexpr double kEven = shared::kEvenPhotons;
+    std::vector<double> pmf;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        pmf.push_back((1 - kEven) * weights[i] / flux + kEven * shares.at(i) / all);
+    }
+    return pmf;
+}
+
+std::vector<shared::LightNode> nodeRecords(const LightTree& tree) {
+    std::vector<shared::LightNode> records;
+    for (const LightTree::Node& node : tree.nodes) {
+        records.push_back(nodeRecord(node));
+    }
+    return records;
+}
 
 LightTable buildLightTable(const Scene& scene) {
     LightTable table;

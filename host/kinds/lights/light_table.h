@@ -1,6 +1,7 @@
 // The scene's lights as the kernels read them.
 #pragma once
 
+#include "geometry/light_tree.h"
 #include "scene/model/scene.h"
 
 #include "shaders/shared/scene_records.h"
@@ -43,6 +44,12 @@ void setStartDisc(shared::LightRecord& light, double radius, double distance);
 
 // Throws Error(BadInput) if an emitting object has a shape that cannot emit.
 [[nodiscard]] LightTable buildLightTable(const Scene& scene);
+
+// The probabilities of the lights for photons: see LightTable. `weights`, `shares`: as in LightTable.
+[[nodiscard]] std::vector<double> photonPmf(const std::vector<double>& weights, const std::vector<double>& shares);
+
+// The tree's nodes as the kernels read them.
+[[nodiscard]] std::vector<shared::LightNode> nodeRecords(const LightTree& tree);
 
 // Turns the byte offsets in the lights into device addresses.
 void setAddresses(std::vector<shared::LightRecord>& lights, shared::LightTriangleArray triangles,

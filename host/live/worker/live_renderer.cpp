@@ -6,6 +6,7 @@
 #include "render/integrators/registry.h"
 #include "render/picture_check.h"
 #include "render/upload/custom_code.h"
+#include "render/wavefront/learn_lights.h"
 #include "scene/checks/light_check.h"
 #include "scene/load/load_scene.h"
 #include "scene/model/integrators.h"
@@ -192,6 +193,9 @@ void LiveRenderer::begin(bool isPreview) {
     guard_.mayInterrupt(!isPreview);
     prints_.listen(false, shared::kNone);
     run_ = makeRun(std::move(scene), debugQuantity(view_.shown), isPreview);
+    if (!isPreview && !debugQuantity(view_.shown)) {
+        render::learnLights(device_, run_->scene, loaded_->device);
+    }
     run_->integrator->prepare();
 }
 

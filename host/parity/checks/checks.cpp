@@ -17,6 +17,7 @@ constexpr auto kChecks = std::to_array<const Check*>({
     &kGatherRadiance,     &kEstimateRadiance,  &kBeginIrradiance, &kStoreIrradiance, &kLookUpIrradiance,
     &kClassifyVisibility, &kSkipShadowRays,    &kStartGatherRays, &kShowSurface,     &kSplatPhotons,
     &kSumPaths,           &kAddGatheredLight,  &kAccumulateFilm,  &kResolveFilm,     &kEstimateError,
+    &kTryLights,
 });
 
 } // namespace

@@ -15,6 +15,7 @@ extern const Check kShadeSurface;
 extern const Check kTraceWhitted;
 extern const Check kSampleLights;
 extern const Check kSampleRoughLights;
+extern const Check kTryLights;
 extern const Check kTraceShadow;
 extern const Check kBouncePaths;
 extern const Check kEmitPhotons;

@@ -3,6 +3,7 @@
 #include "reference/integrators/photon_mapping.h"
 
 #include "base/parallel.h"
+#include "geometry/light_use.h"
 #include "geometry/search_radius.h"
 #include "reference/integrators/shading.h"
 #include "reference/lib/sampling.h"
@@ -114,12 +115,16 @@ glm::dvec3 finalGather(const World& world, const PhotonMaps& maps, const Visible
     return L;
 }
 
-// One shadow ray to every light whose visibility the shadow photons leave open.
+// One shadow ray to every light whose visibility the shadow photons leave open; of many lights, to one that is picked.
 glm::dvec3 directLight(const World& world, const PhotonMaps& maps, const VisiblePoint& x, std::uint32_t pass) {
     if (x.depth + 1 > world.render.maxDepth) {
         return glm::dvec3(0);
     }
     const auto lights = static_cast<std::uint32_t>(world.lights.size());
+    if (lights > kMostLightsAsked) {
+        const std::optional<LightSample> sample = sampleLight(world, x, pass, std::nullopt);
+        return sample ? arriving(world, *sample) : glm::dvec3(0);
+    }
     const Visibility known = maps.shadow
                                  ? classifyVisibility(*maps.shadow, x, lights, world.render.photonMap.shadowPhotons,
                                                       world.causticRadius, world.surfaceError)

@@ -1,6 +1,7 @@
 #include "render/film/scene_identity.h"
 
 #include "base/fnv.h"
+#include "geometry/light_use.h"
 #include "gpu/shader_compiler.h"
 #include "scene/model/recentre.h"
 #include "scene/yaml/settings_table.h"
@@ -42,12 +43,13 @@ std::uint64_t hashOf(const DeviceScene& deviceScene) {
         light.texels = {};
         light.cdfs = {};
         light.hierarchy = {};
+        light.pmf = 0; // any probabilities give the same picture on average; they may depend on the device's rounding
+        light.cdf = 0;
         state = fnv(std::as_bytes(std::span(&light, 1)), state);
     }
     state = fnvOf(deviceScene.lightTriangles, state);
     state = fnvOf(deviceScene.lightTexels, state);
     state = fnvOf(deviceScene.lightCdfs, state);
-    state = fnvOf(deviceScene.lightNodes, state);
     state = fnvOf(deviceScene.textures, state);
     state = fnvOf(deviceScene.textureCoordinates, state);
     for (const shared::InstanceRecord& instance : deviceScene.instances.read()) {
@@ -69,7 +71,9 @@ RenderIdentity identify(const Scene& scene, const DeviceScene& deviceScene, cons
             identity.settings.emplace_back(dottedName(setting), setting.text(settings));
         }
     }
-    const std::uint64_t hash = fnv(std::as_bytes(std::span(&deviceScene.camera, 1)), hashOf(deviceScene));
+    const std::vector<double> shares = photonShares(scene);
+    const std::uint64_t hash = fnv(std::as_bytes(std::span(&deviceScene.camera, 1)),
+                                   fnv(std::as_bytes(std::span(shares)), hashOf(deviceScene)));
     identity.settings.emplace_back("the scene's hash", hexadecimal(hash));
     identity.settings.emplace_back("the shaders' hash", hexadecimal(compiler.hashOfSources()));
     return identity;

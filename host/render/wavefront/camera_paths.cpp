@@ -27,14 +27,14 @@ CameraPaths::CameraPaths(Device& device, const Scene& scene, const DeviceScene& 
       lensRays_(device.context, "count of camera rays"), gatheringRays_(device.context, "count of gathering rays"),
       shadowRays_(device.context, "count of shadow rays at rough surfaces") {}
 
-void CameraPaths::generate(std::uint32_t pass) {
+void CameraPaths::generate(std::uint32_t pass, const shared::CameraRecord& camera) {
     fromLens_ = true;
     queue_.sizes.begin(device_, queue_.capacity());
     device_.commands.run(generateCameraRays_,
                          shared::GenerateCameraRaysArguments{.rays = queue_.rays,
                                                              .paths = queue_.paths,
                                                              .seed = renderSeed(scene_.render),
-                                                             .camera = deviceScene_.camera,
+                                                             .camera = camera,
                                                              .count = queue_.capacity(),
                                                              .pass = pass},
                          queue_.capacity());

@@ -30,7 +30,9 @@ public:
     [[nodiscard]] CameraQueue& queue() { return queue_; }
 
     // Fills the queue with a pass's rays through the lens.
-    void generate(std::uint32_t pass);
+    void generate(std::uint32_t pass) { generate(pass, deviceScene_.camera); }
+    // The same for another camera, of as many pixels as there may be paths.
+    void generate(std::uint32_t pass, const shared::CameraRecord& camera);
 
     // Fills the queue with the first `slots` next rays that are alive, in order.
     void start(std::uint32_t slots);

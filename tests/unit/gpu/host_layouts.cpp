@@ -3,6 +3,7 @@
 
 #include "shaders/shared/kernel_arguments.h"
 #include "shaders/shared/self_test.h"
+#include "shaders/shared/try_lights_arguments.h"
 
 #include <cstddef>
 #include <utility>
@@ -64,6 +65,8 @@ std::map<std::string, HostLayout> hostLayouts() {
                 rayCount, sought, normals, instances);
     HOST_LAYOUT(SampleLightsArguments, visiblePoints, materials, lights, shadowRays, contributions, count, light, pass,
                 maxDepth, bounceDepth, width, live, paths, sought);
+    HOST_LAYOUT(TryLightsArguments, visiblePoints, materials, lights, brought, tries, count, places, depth, pass,
+                rootNode);
     HOST_LAYOUT(BouncePathsArguments, paths, visiblePoints, materials, nextRays, nextPaths, alive, count, depth,
                 maxDepth, pass, live);
     HOST_LAYOUT(TraceShadowArguments, shadowRays, contributions, direct, count, rootNode, width, live, rayCount, paths,

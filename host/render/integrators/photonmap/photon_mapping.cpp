@@ -1,5 +1,6 @@
 #include "render/integrators/photonmap/photon_mapping.h"
 
+#include "geometry/light_use.h"
 #include "reference/integrators/photon_views.h"
 #include "render/film/scene_identity.h"
 #include "render/photons/photon_file.h"
@@ -151,7 +152,8 @@ void PhotonMapping::noteMaps() {
 }
 
 void PhotonMapping::renderLight(std::uint32_t pass) {
-    // Direct light on diffuse surfaces, one light at a time, with a shadow ray where the photons do not decide
+    // Direct light on diffuse surfaces, one light at a time, with a shadow ray where the photons do not decide; of many
+    // lights, a picked one
     sampleDirectLight(pass);
     // Light that comes only by mirrors and glass
     maps_.estimateCaustics(visiblePoints_, caustic_, radii_);
@@ -170,6 +172,11 @@ void PhotonMapping::renderLight(std::uint32_t pass) {
 void PhotonMapping::sampleDirectLight(std::uint32_t pass) {
     gpu::Commands& commands = device_.commands;
     const std::uint32_t pixels = film_.pixelCount();
+    if (deviceScene_.lightCount > kMostLightsAsked) {
+        lightSampler_.sample(visiblePoints_, shared::kNone, pass, scene_.render.maxDepth);
+        lightSampler_.trace(direct_);
+        return;
+    }
     const bool classified = scene_.render.photonMap.shadowPhotons > 0;
     if (classified) {
         maps_.classify(visiblePoints_, lit_, shadowed_);
