@@ -67,8 +67,8 @@ void addLights(std::vector<Symmetry>& rows) {
     rows.push_back(same("a light of triangles", studio.at(), mesh.at(), kAllIntegrators));
     rows.back().files = {{"square.obj", "v -0.5 2.8 -0.5\nv 0.5 2.8 -0.5\nv 0.5 2.8 0.5\nv -0.5 2.8 0.5\nf 1 2 3 4\n"}};
     Studio shares = studio;
-    shares.objects[2] += ", photon_share: 5";
-    rows.push_back(same("five times the photons for a light", studio.at(), shares.at(), kAllIntegrators));
+    shares.objects[2] += ", photon_share: 3";
+    rows.push_back(same("three times the photons for a light", studio.at(), shares.at(), kAllIntegrators));
 }
 
 // The same surface said in another way: the objects of either picture besides the studio's floor, wall and light.

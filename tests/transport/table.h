@@ -54,6 +54,10 @@ void checkSymmetries(FalseAlarms& alarms, const std::vector<Symmetry>& symmetrie
 [[nodiscard]] std::vector<Row> faceRows();
 [[nodiscard]] std::vector<Row> slabRows();
 [[nodiscard]] std::vector<Row> furnaceRows();
+[[nodiscard]] std::vector<Row> mediaRows();
+[[nodiscard]] std::vector<Row> proportionRows();
+[[nodiscard]] std::vector<Symmetry> farSymmetries();
+[[nodiscard]] std::vector<Symmetry> outsideSymmetries();
 [[nodiscard]] std::vector<Symmetry> placementSymmetries();
 [[nodiscard]] std::vector<Symmetry> lightSymmetries();
 [[nodiscard]] std::vector<Symmetry> shapeSymmetries();

@@ -53,4 +53,28 @@ TEST_CASE("a surface looks the same however it is described") {
     checkSymmetries(alarms, symmetries);
 }
 
+TEST_CASE("media lie in media") {
+    const std::vector<Row> rows = mediaRows();
+    FalseAlarms alarms(comparisons(rows));
+    checkRows(alarms, rows);
+}
+
+TEST_CASE("scenes out of proportion have the radiance that they have in proportion") {
+    const std::vector<Row> rows = proportionRows();
+    FalseAlarms alarms(comparisons(rows));
+    checkRows(alarms, rows);
+}
+
+TEST_CASE("a scene looks the same far from the origin, and a solid from afar") {
+    const std::vector<Symmetry> symmetries = farSymmetries();
+    FalseAlarms alarms(comparisons(symmetries));
+    checkSymmetries(alarms, symmetries);
+}
+
+TEST_CASE("light outside a closed room changes nothing in it") {
+    const std::vector<Symmetry> symmetries = outsideSymmetries();
+    FalseAlarms alarms(comparisons(symmetries));
+    checkSymmetries(alarms, symmetries);
+}
+
 } // namespace hyalite::testing

@@ -20,10 +20,13 @@ void adjust(RenderSettings& render, const Renderer& renderer) {
     render.passes = renderer.integrator == "path" ? 8 : 2;
 }
 
-double meanOfView(const Draft& draft, std::size_t view, const Renderer& renderer, std::uint32_t seed) {
-    Scene scene = sceneFrom(draft.scene(view), draftFiles());
-    adjust(scene.render, renderer);
-    return meanOf(renderSeeds(renderer, std::move(scene), seed, 1).front());
+std::vector<Scene> viewsOf(const Draft& draft, const Renderer& renderer) {
+    std::vector<Scene> scenes;
+    for (std::size_t view = 0; view < draft.views(); ++view) {
+        scenes.push_back(sceneFrom(draft.scene(view), draftFiles()));
+        adjust(scenes.back().render, renderer);
+    }
+    return scenes;
 }
 
 constexpr double kRounding = 1e-4; // of sums in floats
@@ -38,10 +41,12 @@ double tailAbove(const Estimate& e, std::size_t samples, double bound) {
 
 } // namespace
 
-double balance(const Draft& draft, const Renderer& renderer, std::uint32_t seed) {
+namespace {
+
+double balance(const Draft& draft, const std::vector<Scene>& views, const Renderer& renderer, std::uint32_t seed) {
     double sum = 0;
-    for (std::size_t view = 0; view < draft.views(); ++view) {
-        sum += meanOfView(draft, view, renderer, seed);
+    for (const Scene& view : views) {
+        sum += meanOf(renderSeeds(renderer, view, seed, 1).front());
     }
     switch (draft.audit) {
     case Audit::Lit: {
@@ -55,13 +60,16 @@ double balance(const Draft& draft, const Renderer& renderer, std::uint32_t seed)
     }
 }
 
+} // namespace
+
 Judgement judgeBalance(const Draft& draft, const Renderer& renderer, double level) {
+    const std::vector<Scene> views = viewsOf(draft, renderer);
     Judgement judgement;
     std::uint32_t seed = 1;
     const auto estimateBy = [&](std::uint32_t renders) {
         std::vector<double> samples;
         for (std::uint32_t i = 0; i < renders; ++i) {
-            samples.push_back(balance(draft, renderer, seed++));
+            samples.push_back(balance(draft, views, renderer, seed++));
         }
         judgement.renders += renders;
         judgement.ratio = estimate(samples);
@@ -122,7 +130,7 @@ Judgement judgeAgreement(const Draft& draft, Backend backend, double level) {
 Draft minimised(Draft draft, const std::function<bool(const Draft&)>& fails) {
     bool smaller = true;
     const auto attempt = [&](const Draft& candidate) {
-        if (candidate.power() > 0 || draft.audit == Audit::Furnace || draft.audit == Audit::Sealed) {
+        if (candidate.power() > 0 || draft.audit != Audit::Lit) {
             if (fails(candidate)) {
                 draft = candidate;
                 smaller = true;

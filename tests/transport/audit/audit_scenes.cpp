@@ -3,6 +3,7 @@
 #include "scene/model/integrators.h"
 #include "transport/audit/audit.h"
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -56,7 +57,8 @@ void keep(const Run& run, const Draft& draft, const std::string& name, const Jud
 
 void auditBalance(Run& run, std::uint64_t number) {
     const Draft draft = draftScene(number, auditOf(number));
-    const char* kind = draft.audit == Audit::Lit ? "lit" : draft.audit == Audit::Furnace ? "furnace" : "sealed";
+    constexpr std::array kNames{"lit", "furnace", "nested", "sealed", "compare"}; // in the order of Audit
+    const char* kind = kNames.at(static_cast<std::size_t>(draft.audit));
     for (const Renderer& renderer : everyRenderer()) {
         if (renderer.backend != run.backend) {
             continue;

@@ -93,6 +93,10 @@ std::string glass(Dice& dice) {
                 ", roughness: ", dice.chance(0.6) ? 0 : dice.unit(), "}");
 }
 
+bool isFurnace(Audit audit) {
+    return audit == Audit::Furnace || audit == Audit::Nested;
+}
+
 struct Ball {
     dvec3 center;
     double radius;
@@ -100,7 +104,7 @@ struct Ball {
 
 class Drafting {
 public:
-    Drafting(std::uint64_t number, Audit audit) : dice_(number * 4 + static_cast<std::uint64_t>(audit)) {
+    Drafting(std::uint64_t number, Audit audit) : dice_(number * 8 + static_cast<std::uint64_t>(audit)) {
         draft_.number = number;
         draft_.audit = audit;
         draft_.albedo = dice_.between(0.2, 0.8);
@@ -111,7 +115,7 @@ public:
 
     Draft made() {
         const double most = draft_.audit == Audit::Compare ? 4 : 5;
-        if (draft_.audit == Audit::Furnace) {
+        if (isFurnace(draft_.audit)) {
             draft_.eye = place(0.05).center;
             draft_.direction = dice_.direction();
         }
@@ -153,19 +157,28 @@ private:
         const std::string shape = isSheet ? dice_.pick(kSheets) : dice_.pick(kSolids);
         const bool isGlass = !isSheet && dice_.chance(0.45);
         Part part{.keys = {}, .material = isGlass ? glass(dice_) : opaque(dice_)};
+        const bool overlaps = draft_.audit == Audit::Nested;
+        if (overlaps && isGlass && dice_.chance(0.5)) {
+            part.material.insert(1, text("priority: ", static_cast<int>(dice_.between(1, 4)), ", "));
+        }
         const Ball ball = place(dice_.between(0.15, 0.45));
+        if (overlaps) {
+            taken_.pop_back(); // others may be there too
+        }
         part.keys = "shape: " + shape + ", " + transformTo(ball, dice_.chance(0.3));
         return part;
     }
 
     void addLights() {
-        if (draft_.audit == Audit::Furnace) {
+        if (isFurnace(draft_.audit)) {
             return; // the walls
         }
         if (draft_.audit == Audit::Sealed) {
             draft_.lights.push_back(
                 {.keys = text("type: directional, direction: ", dice_.direction(), ", irradiance: 1000")});
             draft_.lights.push_back({.keys = "type: environment, radiance: 10"});
+            addSheetOutside();
+            addSheetOutside();
             return;
         }
         for (auto left = static_cast<int>(dice_.between(1, 3.5)); left > 0; --left) {
@@ -180,6 +193,21 @@ private:
                 addArea();
             }
         }
+    }
+
+    // Close behind a wall, with its front to the room: sunlit photons there face as the wall's own would.
+    void addSheetOutside() {
+        const auto axis = static_cast<int>(dice_.between(0, 3));
+        dvec3 n(0);
+        dvec3 a(0);
+        dvec3 b(0);
+        n[axis] = dice_.chance(0.5) ? 1 : -1;
+        a[(axis + 1) % 3] = 6;
+        b[(axis + 2) % 3] = 6;
+        const dvec3 corner = -(1 + dice_.between(0.005, 0.1)) * n - 0.5 * (a + b);
+        draft_.objects.push_back({.keys = text("shape: {type: quad, corner: ", corner, ", edges: [",
+                                               n[axis] > 0 ? a : b, ", ", n[axis] > 0 ? b : a, "]}"),
+                                  .material = "{type: diffuse, albedo: 0.7}"});
     }
 
     void addPoint() {
@@ -272,7 +300,7 @@ std::size_t Draft::views() const {
 
 std::string Draft::scene(std::size_t view) const {
     std::string camera;
-    if (audit == Audit::Furnace) {
+    if (isFurnace(audit)) {
         const dvec3 up = std::abs(direction.y) > 0.9 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
         camera = text("camera: {position: ", eye, ", look_at: ", eye + direction, ", up: ", up,
                       ", fov: 100, resolution: [8, 8]}\n");
@@ -288,7 +316,7 @@ std::string Draft::scene(std::size_t view) const {
                       ", fov: ", fov, ", resolution: [4, 4]}\n");
     }
     std::string materials = text("materials: {wall: {type: diffuse, albedo: ", albedo, "}");
-    std::string list = walls(audit == Audit::Furnace ? text(", emission: ", 1 - albedo) : "");
+    std::string list = walls(isFurnace(audit) ? text(", emission: ", 1 - albedo) : "");
     for (std::size_t i = 0; i < objects.size(); ++i) {
         if (!objects[i].material.empty()) {
             materials += text(", m", i, ": ", objects[i].material);
@@ -304,7 +332,7 @@ std::string Draft::scene(std::size_t view) const {
 }
 
 Audit auditOf(std::uint64_t number) {
-    constexpr std::array kAudits{Audit::Lit, Audit::Lit, Audit::Furnace, Audit::Sealed};
+    constexpr std::array kAudits{Audit::Lit, Audit::Lit, Audit::Furnace, Audit::Sealed, Audit::Nested};
     return kAudits.at(number % kAudits.size());
 }
 

@@ -13,6 +13,7 @@ namespace hyalite::testing {
 enum class Audit {
     Lit,     // lights inside: the walls absorb no more than these send
     Furnace, // walls and objects emit what they absorb, at most: nothing is brighter than 1
+    Nested,  // a furnace where solids overlap, with and without priorities
     Sealed,  // lights outside only: all is black
     Compare, // lit by areas: what ppm and path show of one wall is equal
 };
@@ -41,7 +42,7 @@ struct Draft {
     [[nodiscard]] std::string scene(std::size_t view) const;
 };
 
-// The audit of this scene among many: of four two are lit, one is a furnace and one is sealed.
+// The audit of this scene among many: of five two are lit, one each is a furnace, sealed and nested.
 [[nodiscard]] Audit auditOf(std::uint64_t number);
 
 // The same draft for the same number, on every machine.
