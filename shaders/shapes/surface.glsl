@@ -58,6 +58,7 @@ bool isFirstRoot(vec2 roots, bool firstEnters, float t, float start) {
 vec3 farOnSphere(vec4 sphere, Ray ray, float t) {
     float start = dot(sphere.xyz - ray.origin, ray.direction);
     vec3 nearest = alongRay(ray.origin, sphere.xyz, ray.direction, start);
+    nearest -= (dot(nearest, ray.direction) / dot(ray.direction, ray.direction)) * ray.direction; // `start` is rounded
     float reach = sqrt(greater(sphere.w * sphere.w - dot(nearest, nearest), 0.0));
     return nearest + (isFirstRoot(vec2(-reach, reach), true, t, start) ? -reach : reach) * ray.direction;
 }
@@ -72,21 +73,38 @@ vec3 placeOnSphere(uint object, Ray ray, float t, vec3 p, inout Surface s) {
     return outward;
 }
 
-vec3 placeOnPlane(uint object, vec3 p, inout Surface s) {
+// The point, relative to the centre, where a ray from afar hits the plane normal . p = offset: moved along the ray by the
+// rounding of t, which a projection along the normal would leave as a shift within the plane.
+vec3 farOnPlane(vec3 normal, float offset, vec3 center, Ray ray, float t) {
+    vec3 p = alongRay(ray.origin, center, ray.direction, t);
+    float slope = dot(normal, ray.direction);
+    float most = kPositionError * t;
+    return p + clamp((offset - dot(normal, p)) / (slope == 0.0 ? kTiny : slope), -most, most) * ray.direction;
+}
+
+vec3 placeOnPlane(uint object, Ray ray, float t, vec3 p, inout Surface s) {
     vec4 plane = objectTexel(object, 0u);
+    if (t > kFarHit * largestCoordinate(p)) {
+        p = farOnPlane(plane.xyz, plane.w, vec3(0.0), ray, t);
+    }
     s.position = p + (plane.w - dot(plane.xyz, p)) * plane.xyz;
     s.error = kPlaneError * dot(abs(plane.xyz), abs(p));
     return plane.xyz;
 }
 
 // A face of a quadric's box, in the form's space.
-vec3 placeOnFace(QuadricForm form, uint part, vec4 rows[3], vec3 center, vec3 p, inout Surface s) {
+vec3 placeOnFace(QuadricForm form, uint part, vec4 rows[3], vec3 center, Ray ray, float t, vec3 p, inout Surface s) {
     uint axis = (part - 1u) >> 1u;
     bool high = ((part - 1u) & 1u) != 0u;
     vec4 row = rows[axis];
     float side = high ? form.high[axis] : form.low[axis];
     float scale = dot(row.xyz, row.xyz);
-    s.position = p + ((side - dot(row.xyz, p - center)) / scale) * row.xyz;
+    vec3 fromCenter = p - center;
+    if (t > kFarHit * largestCoordinate(fromCenter)) {
+        fromCenter = farOnPlane(row.xyz, side, center, ray, t);
+        p = center + fromCenter;
+    }
+    s.position = p + ((side - dot(row.xyz, fromCenter)) / scale) * row.xyz;
     s.error = 2.0 * kPlaneError * (dot(abs(row.xyz), abs(p) + abs(center)) + abs(side)) / sqrt(scale);
     return row.xyz * ((high ? 1.0 : -1.0) / sqrt(scale));
 }
@@ -112,7 +130,7 @@ vec3 placeOnQuadric(uint object, Ray ray, float t, uint part, vec3 p, inout Surf
     vec3 center = vec3(rows[0].w, rows[1].w, rows[2].w);
     QuadricForm form = quadricForm(object);
     if (part != kPartForm) {
-        return placeOnFace(form, part, rows, center, p, s);
+        return placeOnFace(form, part, rows, center, ray, t, p, s);
     }
     vec3 fromCenter = p - center;
     vec3 local = toLocal(rows[0], rows[1], rows[2], fromCenter);
@@ -246,7 +264,7 @@ Surface surfaceAt(Ray ray, Hit hit, NormalArray normals, InstanceArray instances
         } else if (isShape(header.type, kShapeTorus)) {
             outward = placeOnTorus(hit.object, ray, hit.t, p, s);
         } else {
-            outward = placeOnPlane(hit.object, p, s);
+            outward = placeOnPlane(hit.object, ray, hit.t, p, s);
         }
         s.normal = outward;
     }

@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 
 #include <atomic>
+#include <functional>
 #include <sstream>
 
 namespace hyalite::testing {
@@ -15,6 +16,7 @@ constexpr std::size_t kRays = 1000000;
 
 // Of a million rays ten may differ, and they must pass a silhouette or edge.
 constexpr double kUnlike = 1e-5;
+constexpr double kUnlikeNormal = 1e-3;
 
 // Largest error [m] of a hit on a surface about one metre in size: eight roundings of 2^-24 in a space stretched four
 // times as much along one axis as along another (see randomPlacement). For a ray that hits at an angle, the error in t
@@ -104,8 +106,8 @@ bool areAlike(const std::optional<reference::Hit>& a, const std::optional<refere
            (!a || (a->leaf == b->leaf && a->primitive == b->primitive && std::abs(a->t - b->t) <= apart));
 }
 
-// True if the hit changes abruptly within `shift` of the ray: another part of the shape, or a point farther away than
-// ten times the shift.
+// True if the hit changes abruptly within `shift` of the ray: another part of the shape, a point farther away than ten
+// times the shift, or a normal as unlike as compare() reports, as beside the apex of a cone.
 bool isOnSilhouette(const reference::World& world, const reference::Ray& ray, double shift) {
     const auto centre = reference::traceClosest(world, ray);
     Random random;
@@ -113,7 +115,10 @@ bool isOnSilhouette(const reference::World& world, const reference::Ray& ray, do
         reference::Ray shifted = ray;
         shifted.origin += shift * random.direction();
         shifted.direction = glm::normalize(ray.direction + shift / (1 + (centre ? centre->t : 0)) * random.direction());
-        if (!areAlike(centre, reference::traceClosest(world, shifted), 10 * shift)) {
+        const auto hit = reference::traceClosest(world, shifted);
+        if (!areAlike(centre, hit, 10 * shift) ||
+            (centre && distance(evaluateSurface(world, shifted, *hit).normal,
+                                evaluateSurface(world, ray, *centre).normal) > kUnlikeNormal)) {
             return true;
         }
     }
@@ -140,7 +145,7 @@ Likeness compare(const BothSides& both, const shared::Ray& deviceRay, const shar
     if (std::abs(double{hit.t} - expected->t) > allowed) {
         return Likeness::Distance;
     }
-    return distance(point.normal, surface.normal) > 1e-3 ? Likeness::Normal : Likeness::Alike;
+    return distance(point.normal, surface.normal) > kUnlikeNormal ? Likeness::Normal : Likeness::Alike;
 }
 
 struct Comparison {
@@ -215,15 +220,21 @@ std::vector<shared::Ray> raysFromAfar() {
 
 // The point and normal of a hit from afar are as exact as from nearby: the line of a ray is exact, however long, and
 // the surface is found near the shape. But which of two crossings nearer than the resolution is hit is open, and
-// whether a ray that grazes the shape hits it.
-void checkFromAfar(const std::string& name, const Shape& shape) {
+// whether a ray that grazes the shape hits it; `grazes`: rays to leave out.
+void checkFromAfar(
+    const std::string& name, const Shape& shape,
+    const std::function<bool(const reference::Ray&)>& grazes = [](const reference::Ray& /*ray*/) { return false; }) {
     BothSides both(sceneOf(shape));
     const std::vector<shared::Ray> rays = raysFromAfar();
     const Found found = find(both, rays);
     std::size_t hits = 0;
     std::size_t unlike = 0;
+    double worstPoint = 0, worstNormal = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const reference::Ray ray = toReference(rays[i]);
+        if (grazes(ray)) {
+            continue;
+        }
         const auto expected = reference::traceClosest(both.world, ray);
         const bool isHit = found.hits[i].object != shared::kNone;
         if (!expected || !isHit) {
@@ -236,8 +247,11 @@ void checkFromAfar(const std::string& name, const Shape& shape) {
         const bool isAlike = distance(found.points[i].onSurface, surface.position) <= kPlaceError / cosine &&
                              distance(found.points[i].normal, surface.normal) <= 2e-5 / cosine;
         unlike += isAlike ? 0 : 1;
+        worstPoint = std::max(worstPoint, distance(found.points[i].onSurface, surface.position) * cosine);
+        worstNormal = std::max(worstNormal, distance(found.points[i].normal, surface.normal) * cosine);
     }
-    INFO(name << ": " << unlike << " of " << hits << " hits unlike");
+    INFO(name << ": " << unlike << " of " << hits << " hits unlike; worst point " << worstPoint << " normal "
+              << worstNormal);
     CHECK(hits > rays.size() / 100);
     CHECK(static_cast<double>(unlike) <= 2e-4 * static_cast<double>(rays.size()));
 }
@@ -249,7 +263,14 @@ TEST_CASE("rays from a hundred kilometres hit every shape as exactly as rays fro
     for (const NamedForm& named : namedForms()) {
         checkFromAfar(std::string(named.name), quadric(named, randomPlacement(random, 0.7, 0.2)));
     }
-    checkFromAfar("sphere", Sphere{{0.1, -0.2, 0.3}, 0.8});
+    const Sphere sphere{{0.1, -0.2, 0.3}, 0.8};
+    checkFromAfar("sphere", sphere, [&](const reference::Ray& ray) {
+        // The kernel rounds a ray's distance from the centre to single precision: a difference and a product, each
+        // within 2^-24 of 1e5 m a coordinate.
+        constexpr double kRounding = 2 * 1.7320508 * kAfar / (1 << 24);
+        const double distance = glm::length(glm::cross(sphere.center - ray.origin, ray.direction));
+        return std::abs(distance - sphere.radius) < kRounding;
+    });
     checkFromAfar("torus", Torus{.major = 1, .minor = 0.3, .objectToWorld = randomPlacement(random, 0.7, 0.2)});
 }
 
