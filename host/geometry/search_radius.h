@@ -26,8 +26,8 @@ inline constexpr double kCausticPhotonsPerSearch = 12;
 struct RadiusBounds {
     double sceneRadius = 0; // of the scene's bounding sphere [m]: a radius is at most 1/20 of it
     glm::dvec3 eye{0};      // the camera [m]
-    double footprint = 0;   // width of a pixel over the distance from the eye: the least radius around a photon,
-                            // because camera rays would miss a smaller disc
+    double footprint = 0;   // caustics: width of a pixel over the distance from the eye, the least radius around a
+                            // photon, because camera rays would miss a smaller disc in a focus; others: 0
 };
 
 // The radius [m] within which about `wanted` of the photons of a pass of `emitted` photons lie around a typical one of

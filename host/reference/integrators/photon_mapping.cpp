@@ -42,13 +42,13 @@ std::optional<PhotonMap> traceCausticMap(const World& world) {
                              .aimed = settings.projectionMap}));
 }
 
-double largestEstimate(const World& world, const PhotonMap& map, std::size_t nearest, double largest) {
+double largestEstimate(const World& world, const PhotonMap& map, std::size_t nearest, double largest,
+                       double footprint) {
     std::vector<glm::dvec3> positions;
     for (const Photon& photon : map.photons()) {
         positions.push_back(photon.position);
     }
-    return largestEstimateFor(nearest, positions, largest,
-                              {.eye = world.camera.position, .footprint = world.pixelFootprint});
+    return largestEstimateFor(nearest, positions, largest, {.eye = world.camera.position, .footprint = footprint});
 }
 
 // The irradiance at every fourth photon of the global map [Christensen99].
@@ -168,7 +168,7 @@ RadianceEstimateOptions globalOptions(const World& world, double radius, std::ui
             .maxChange = 0,
             .surfaceError = world.surfaceError,
             .eye = world.camera.position,
-            .footprint = world.pixelFootprint};
+            .footprint = 0}; // diffuse surfaces do not focus
 }
 
 RadianceEstimateOptions causticOptions(const World& world, double radius) {
@@ -202,10 +202,11 @@ PhotonMaps buildPhotonMaps(const World& world) {
                     .globalRadius = world.globalRadius,
                     .causticRadius = world.causticRadius};
     if (world.render.radius == 0) {
-        maps.globalRadius = largestEstimate(world, maps.global, settings.nearest, world.globalRadius);
+        maps.globalRadius = largestEstimate(world, maps.global, settings.nearest, world.globalRadius, 0);
     }
     if (settings.causticRadius == 0 && maps.caustic) {
-        maps.causticRadius = largestEstimate(world, *maps.caustic, settings.causticNearest, world.causticRadius);
+        maps.causticRadius =
+            largestEstimate(world, *maps.caustic, settings.causticNearest, world.causticRadius, world.pixelFootprint);
     }
     if (settings.shadowPhotons > 0) {
         maps.shadow = PhotonMap(castShadowPhotons(world, 0));

@@ -57,9 +57,10 @@ double radiusByPilot(const World& world, PhotonPass pilot, double wanted) {
         pilot.count = emitted;
         positions = trace();
     }
-    return searchRadiusFor(
-        wanted, positions, pilot.count, emitted,
-        {.sceneRadius = world.sceneRadius, .eye = world.camera.position, .footprint = world.pixelFootprint});
+    return searchRadiusFor(wanted, positions, pilot.count, emitted,
+                           {.sceneRadius = world.sceneRadius,
+                            .eye = world.camera.position,
+                            .footprint = pilot.kinds == kindBit(PhotonKind::Caustic) ? world.pixelFootprint : 0});
 }
 
 glm::dvec3 gather(const ProgressiveMap& map, const VisiblePoint& x, const World& world) {

@@ -90,20 +90,20 @@ std::vector<shared::Photon> PhotonMaps::castShadows() {
 }
 
 void PhotonMaps::limitRadii() {
-    const auto limit = [this](float& radius, std::size_t nearest, const std::vector<shared::Photon>& photons) {
+    const auto limit = [this](float& radius, std::size_t nearest, const std::vector<shared::Photon>& photons,
+                              double footprint) {
         std::vector<glm::dvec3> positions;
         for (const shared::Photon& photon : photons) {
             positions.emplace_back(photon.position);
         }
-        radius = static_cast<float>(
-            largestEstimateFor(nearest, positions, double{radius},
-                               {.eye = scene_.camera.position, .footprint = pixelFootprint(scene_.camera)}));
+        radius = static_cast<float>(largestEstimateFor(nearest, positions, double{radius},
+                                                       {.eye = scene_.camera.position, .footprint = footprint}));
     };
     if (scene_.render.radius == 0) {
-        limit(globalRadius_, settings_.nearest, lists_.global);
+        limit(globalRadius_, settings_.nearest, lists_.global, 0);
     }
     if (settings_.causticRadius == 0) {
-        limit(causticRadius_, settings_.causticNearest, lists_.caustic);
+        limit(causticRadius_, settings_.causticNearest, lists_.caustic, pixelFootprint(scene_.camera));
     }
 }
 
@@ -170,13 +170,14 @@ PhotonDensity PhotonMaps::density(PhotonFilter filter) const {
             .coneConstant = static_cast<float>(settings_.coneConstant),
             .maxChange = 0,
             .eye = deviceScene_.camera.position,
-            .footprint = static_cast<float>(pixelFootprint(scene_.camera))};
+            .footprint = 0}; // diffuse surfaces do not focus
 }
 
 void PhotonMaps::estimateCaustics(const gpu::Array<shared::VisiblePoint>& x, const gpu::Array<glm::vec3>& gathered,
                                   const gpu::Array<float>& radii) {
     const auto count = static_cast<std::uint32_t>(x.count());
     PhotonDensity caustics = density(settings_.causticFilter);
+    caustics.footprint = static_cast<float>(pixelFootprint(scene_.camera));
     caustics.maxChange = settings_.differentialChecking ? kEdgeChange : 0;
     estimateCaustics_.run(device_, caustic_.record(), x, count,
                           {.nearest = settings_.causticNearest,

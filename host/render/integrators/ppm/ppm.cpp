@@ -111,7 +111,7 @@ double Ppm::radiusByPilot(const Photons& photons) {
     return searchRadiusFor(wanted, positions, pilot.count, photons.count,
                            {.sceneRadius = sceneRadius(scene_),
                             .eye = scene_.camera.position,
-                            .footprint = pixelFootprint(scene_.camera)});
+                            .footprint = photons.layer == kCaustic ? pixelFootprint(scene_.camera) : 0});
 }
 
 void Ppm::renderPass(std::uint32_t pass) {
