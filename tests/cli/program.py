@@ -82,9 +82,11 @@ class CliTest(unittest.TestCase):
         )
 
     def succeed(self, *arguments, **options):
-        """Runs; fails the test unless the exit code is 0 and stderr is empty. Returns stdout."""
+        """Runs; fails the test unless the exit code is 0 and stderr is empty. Returns stdout. That an integrator leaves out
+        caustics of a shipped scene is what warnings_test.py checks."""
         result = self.run_program(*arguments, **options)
-        self.assertEqual((result.returncode, result.stderr), (0, ""), arguments)
+        errors = "".join(line for line in result.stderr.splitlines(True) if "[unseen-caustic]" not in line)
+        self.assertEqual((result.returncode, errors), (0, ""), arguments)
         return result.stdout
 
     def succeed_json(self, *arguments, **options):

@@ -135,7 +135,7 @@ class Reports(RenderTest):
         report = self.succeed_json("render", self.cornell, *options)
         elapsed = time.monotonic() - start
         keys = (
-            "version scene integrator backend device seed sampler resolution passes interrupted error_estimate seconds counts "
+            "version scene integrator backend device seed sampler resolution passes interrupted error_estimate pixels_without_light seconds counts "
             "buffer_bytes search_radius caustic_search_radius warnings outputs"
         )
         self.assertEqual(set(report), set(keys.split()))

@@ -16,7 +16,7 @@ namespace {
 
 using glm::dvec3;
 
-constexpr int kMostSurfaces = 8;  // of a path
+constexpr int kMostSurfaces = 16; // of a path
 constexpr int kCameraPaths = 512; // tried
 constexpr std::size_t kViews = 4; // surfaces of camera paths that a light's surface is connected to
 

@@ -131,8 +131,8 @@ void report(Scene& scene, const Object& object, const std::vector<MeshShell>* sh
         const bool isFlat = !std::holds_alternative<Quadric>(object.shape);
         what = std::string(isFlat ? "this sheet" : "this open shape") + name + "encloses nothing";
     }
-    warn(scene,
-         {WarningKind::OpenGlass, where, what + ": light that enters it is inside for good", "close it to a solid, or make its material a pane: thin: true"});
+    warn(scene, {WarningKind::OpenGlass, where, what + ": light that enters it is inside for good",
+                 "close it to a solid, or give the material thin: true"});
 }
 
 } // namespace

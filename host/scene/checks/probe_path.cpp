@@ -36,7 +36,7 @@ std::optional<dvec3> scatter(const ProbeVertex& vertex, bool isFront, const dvec
     }
     dvec3 out = reflected(direction, vertex.normal);
     if ((vertex.flags & shared::kBsdfTransmitting) != 0 && choice < 0.7) {
-        const double ior = vertex.material->model.thin != 0 ? 1.0 : vertex.material->model.ior;
+        const double ior = vertex.material->model.thin != 0 ? 1 : vertex.material->model.ior;
         out = refracted(direction, vertex.normal, isFront ? 1 / ior : ior);
     }
     if ((vertex.flags & shared::kBsdfGlossy) != 0) { // rough: any direction on the same side

@@ -26,7 +26,7 @@ struct ProbePath {
     bool escapes = false; // its last ray hits nothing
 };
 
-// Whether the material bends or reflects light like a mirror and does nothing else; not index 1.
+// Whether the material bends or reflects light like a mirror and does nothing else; neither thin glass nor index 1.
 [[nodiscard]] bool isSpecular(const Material& material);
 
 // Follows a path over at most `most` surfaces.

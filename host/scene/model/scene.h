@@ -223,11 +223,11 @@ struct Object {
 
 struct Mesh {
     std::string file;
-    glm::dvec3 origin{0};              // in the file's coordinates: what positions are relative to [m]
-    std::vector<glm::vec3> positions;  // object space [m]
-    std::vector<glm::vec3> normals;    // per position, unit; empty: flat shading
-    std::vector<glm::uvec3> triangles; // indices into positions, counter-clockwise seen from the front
-    std::vector<glm::vec2> uvs;        // per position, v upwards; empty: none
+    glm::dvec3 origin{0};               // in the file's coordinates: what positions are relative to [m]
+    std::vector<glm::vec3> positions;   // object space [m]
+    std::vector<glm::vec3> normals;     // per position, unit; empty: flat shading
+    std::vector<glm::uvec3> triangles;  // indices into positions, counter-clockwise seen from the front
+    std::vector<glm::vec2> uvs;         // per position, v upwards; empty: none
     std::vector<std::uint32_t> lines{}; // per triangle, of its face in the file; empty: a file without lines
 };
 

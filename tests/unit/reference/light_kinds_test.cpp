@@ -243,13 +243,14 @@ TEST_CASE("points are spread over a mesh by area") {
               5 / std::sqrt(double(kCount)));
 }
 
-TEST_CASE("a photon share of two doubles a light's probability and halves its photons' power") {
+TEST_CASE("a photon share of two counts twice in both halves of a light's probability") {
     Scene scene;
     scene.lights = {{.position = {0, 1, 0}, .intensity = dvec3(1)},
                     {.position = {0, 2, 0}, .intensity = dvec3(2), .photonShare = 2}};
     const std::vector<Light> lights = makeLights(scene);
-    CHECK_THAT(lights.at(0).pmf, WithinAbs(0.2, 1e-15)); // 1 to 4
-    CHECK_THAT(lights.at(1).pmf, WithinAbs(0.8, 1e-15));
+    // Half by flux, 1 to 2 * 2, and half even, 1 to 2
+    CHECK_THAT(lights.at(0).pmf, WithinAbs((1.0 / 5 + 1.0 / 3) / 2, 1e-15));
+    CHECK_THAT(lights.at(1).pmf, WithinAbs((4.0 / 5 + 2.0 / 3) / 2, 1e-15));
     checkNear(lights.at(1).power, dvec3(8 * pi), 1e-12);
     scene.render.photons = 1000;
     const World world = prepareWorld(scene);

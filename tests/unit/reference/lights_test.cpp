@@ -38,18 +38,18 @@ VisiblePoint floorPoint() {
 
 } // namespace
 
-TEST_CASE("lights are points, then emitting quads, picked in proportion to the mean flux") {
+TEST_CASE("lights are points, then emitting quads, picked half by the mean flux and half evenly") {
     const std::vector<Light> lights = makeLights(twoLights());
     REQUIRE(lights.size() == 2);
     checkNear(lights[0].power, 4 * pi * dvec3(1, 2, 3), 1e-13); // over the whole sphere
     checkNear(lights[1].power, dvec3(pi * 6 * 4), 1e-13);       // pi A L with A = 2 * 3
-    // means 8 pi and 24 pi
-    CHECK_THAT(lights[0].pmf, WithinAbs(0.25, 1e-15));
-    CHECK_THAT(lights[1].pmf, WithinAbs(0.75, 1e-15));
+    // means 8 pi and 24 pi: a quarter and three quarters, averaged with a half
+    CHECK_THAT(lights[0].pmf, WithinAbs(0.375, 1e-15));
+    CHECK_THAT(lights[1].pmf, WithinAbs(0.625, 1e-15));
     CHECK(lights[1].cdf == 1);
     CHECK(chooseLight(lights, 0) == 0);
-    CHECK(chooseLight(lights, 0.2499) == 0);
-    CHECK(chooseLight(lights, 0.2501) == 1);
+    CHECK(chooseLight(lights, 0.3749) == 0);
+    CHECK(chooseLight(lights, 0.3751) == 1);
     CHECK(chooseLight(lights, 1 - 0x1p-24) == 1);
 }
 
@@ -74,8 +74,8 @@ TEST_CASE("the power of an area is pi A L") {
     const std::vector<Light> lights = makeLights(scene);
     checkNear(lights.at(0).power, 6 * pi * pi * dvec3(1, 2, 3), 1e-12);
     checkNear(lights.at(1).power, pi * pi * dvec3(1, 0, 0), 1e-12);
-    // Chosen in proportion to the mean of the channels: 36 to 1
-    CHECK_THAT(lights.at(0).pmf, WithinRel(36.0 / 37.0, 1e-12));
+    // Half in proportion to the mean of the channels, 36 to 1, and half evenly
+    CHECK_THAT(lights.at(0).pmf, WithinRel((36.0 / 37.0 + 0.5) / 2, 1e-12));
 }
 
 TEST_CASE("a point light contributes f I cos / d^2") {
@@ -159,9 +159,9 @@ TEST_CASE("the photons of a pass carry the flux of the lights") {
             CHECK(emission.ray.origin.y <= 3);
         }
     }
-    // 4096 Sobol numbers put exactly a quarter below cdf = 1/4, to within one at the border.
-    CHECK(std::abs(fromPoint - 1024) <= 1);
-    // One photon more or less at the border moves the sum by 1 / 1024 of a light's flux.
+    // 4096 Sobol numbers put exactly three eighths below cdf = 3/8, to within one at the border.
+    CHECK(std::abs(fromPoint - 1536) <= 1);
+    // One photon more or less at the border moves the sum by less than 1 / 1024 of a light's flux.
     checkNear(sum, 4 * pi * dvec3(1, 2, 3) + dvec3(24 * pi), 2 * glm::length(dvec3(24 * pi)) / 1024);
 }
 

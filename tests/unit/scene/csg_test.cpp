@@ -96,13 +96,14 @@ TEST_CASE("a csg becomes a postfix program over its leaves in the file's order")
 TEST_CASE("the leaves of several objects follow one another") {
     TemporaryFolder folder;
     const std::string csg = "{type: csg, op: union, shapes: [" + kBall + ", " + kBall + "]}";
-    const Scene scene = loadScene(folder.write("scene.yaml", "hyalite: 1\n"
-                                                             "lights: [{type: point, position: [0, 1, 0]}]\n"
-                                                             "materials: {gray: {type: diffuse}}\n"
-                                                             "objects:\n"
-                                                             "  - {material: gray, shape: " +
-                                                                 csg + "}\n  - {material: gray, shape: " + kBall +
-                                                                 "}\n  - {material: gray, shape: " + csg + "}\n"));
+    const Scene scene = loadScene(folder.write(
+        "scene.yaml", "hyalite: 1\n"
+                      "lights: [{type: point, position: [0, 1, 0]}]\n"
+                      "materials: {gray: {type: diffuse}}\n"
+                      "objects:\n"
+                      "  - {material: gray, shape: " +
+                          csg + "}\n  - {material: gray, shape: " + kBall +
+                          "}\n  - {material: gray, transform: [{translate: [9, 0, 0]}], shape: " + csg + "}\n"));
     CHECK(scene.csgLeaves.size() == 4);
     CHECK(std::get<Csg>(scene.objects.at(0).shape).firstLeaf == 0);
     CHECK(std::get<Csg>(scene.objects.at(2).shape).firstLeaf == 2);

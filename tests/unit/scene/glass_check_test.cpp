@@ -55,10 +55,11 @@ Scene load(const std::string& objects, const std::string& mesh = {}) {
     if (!mesh.empty()) {
         folder.write("mesh.obj", mesh);
     }
-    return loadScene(folder.write("scene.yaml", "hyalite: 1\nlights: [{type: point, position: [0, 9, 0]}]\n"
-                                                "materials: {a: {type: diffuse}, g: {type: dielectric, ior: 1.5}, "
-                                                "n: {type: dielectric, ior: 1}}\nobjects:\n" +
-                                                    objects));
+    return loadScene(
+        folder.write("scene.yaml", "hyalite: 1\nlights: [{type: point, position: [0, 9, 0]}]\n"
+                                   "materials: {a: {type: diffuse}, g: {type: dielectric, ior: 1.5}, "
+                                   "n: {type: dielectric, ior: 1}, t: {type: dielectric, thin: true}}\nobjects:\n" +
+                                       objects));
 }
 
 Scene glassMesh(const Obj& obj, const std::string& rest = "") {
@@ -228,10 +229,10 @@ TEST_CASE("sheets of glass that close a space together, or with opaque walls, ar
                "  - {shape: {type: disk, center: [0, 1, 0], radius: 1, normal: [0, 1, 0]}, material: g}\n");
 }
 
-TEST_CASE("closed glass, a half-space of it and index 1 are no sheets") {
+TEST_CASE("closed glass, a half-space of it, index 1 and thin glass are no sheets") {
     checkQuiet("  - {shape: {type: sphere, radius: 1}, material: g}\n"
                "  - {shape: {type: cylinder, base: [3, 0, 0], top: [3, 1, 0], radius: 1}, material: g}\n"
                "  - {shape: {type: plane, point: [0, -2, 0], normal: [0, 1, 0]}, material: g}\n" +
-               quad("[9, 0, 0]", "[1, 0, 0]", "[0, 1, 0]", "n"));
+               quad("[9, 0, 0]", "[1, 0, 0]", "[0, 1, 0]", "n") + quad("[9, 0, 1]", "[1, 0, 0]", "[0, 1, 0]", "t"));
     checkQuiet("  - {shape: {type: mesh, file: mesh.obj}, material: g}\n", Obj().cube({0, 0, 0}, 0.5).text());
 }
