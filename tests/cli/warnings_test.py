@@ -101,9 +101,8 @@ class Faces(WarningTest):
         # Up to 0.25 degrees off the axis the path through the glass is longer by 4e-6 and the Fresnel terms are equal.
         for backend in BACKENDS:
             self.check("inside-out-pane", "whitted", backend, 0.33911, 0.0005)
-            for integrator in ("path", "ppm", "photonmap"):  # reflect or refract at random
-                options = ("--passes", "256", "--photons", "100", "--set", "render.max_depth=12")
-                self.check("inside-out-pane", integrator, backend, 0.33911, 0.02, *options)
+            # Reflects or refracts at random; ppm and photonmap warn that there is nothing diffuse
+            self.check("inside-out-pane", "path", backend, 0.33911, 0.02, "--passes", "256", "--set", "render.max_depth=12")
 
     def warning_lines(self, scene, mesh):
         self.write("scene.yaml", scene)
