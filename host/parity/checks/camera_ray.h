@@ -18,7 +18,8 @@ struct CameraRayFields : FieldSet<7> {
 };
 inline constexpr CameraRayFields kCameraRay;
 
-void compareCameraRay(const Stage& stage, std::size_t i, std::uint32_t pixel, std::uint32_t pass,
-                      const shared::Ray& ray, const shared::CameraPath& path);
+// `camera`: the scene's, or that of the small picture in which the lights are tried.
+void compareCameraRay(const Stage& stage, const reference::CameraFrame& camera, std::size_t i, std::uint32_t pixel,
+                      std::uint32_t pass, const shared::Ray& ray, const shared::CameraPath& path);
 
 } // namespace hyalite::parity

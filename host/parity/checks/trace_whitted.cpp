@@ -74,7 +74,7 @@ void compareTraceWhitted(const Stage& stage) {
             const auto thread = static_cast<std::uint32_t>(i);
             const std::uint32_t pixel =
                 shared::pixelOfThread(thread, thread / (shared::kTileSide * width), width, args.count);
-            compareCameraRay(stage, i, pixel, args.pass, at.rays[i], at.paths[i]);
+            compareCameraRay(stage, stage.sides.world().camera, i, pixel, args.pass, at.rays[i], at.paths[i]);
         } else {
             Answer device;
             device.exact(kTree.ray, sameBits(at.rays[i], rays[slots[i]]) ? 1 : 0);

@@ -31,9 +31,9 @@ CameraFrame makeCameraFrame(const Camera& camera, const std::string& sceneFile) 
             .focusDistance = camera.focusDistance > 0 ? camera.focusDistance : glm::length(view)};
 }
 
-Ray generateCameraRay(const World& world, std::uint32_t pixel, std::uint32_t pass) {
-    const CameraFrame& camera = world.camera;
-    const shared::Sampler sampler = shared::cameraSampler(renderSeed(world.render), pass, pixel);
+Ray generateCameraRay(const CameraFrame& camera, const RenderSettings& render, std::uint32_t pixel,
+                      std::uint32_t pass) {
+    const shared::Sampler sampler = shared::cameraSampler(renderSeed(render), pass, pixel);
     const glm::dvec2 uv = sampleUnitSquare(sampler, shared::kCameraPixel);
     const std::uint32_t x = pixel % camera.width;
     const std::uint32_t y = pixel / camera.width;
@@ -49,6 +49,10 @@ Ray generateCameraRay(const World& world, std::uint32_t pixel, std::uint32_t pas
     const glm::dvec3 origin = camera.position + camera.lensRadius * disc.x * glm::normalize(camera.right) +
                               camera.lensRadius * disc.y * glm::normalize(camera.up);
     return {.origin = origin, .direction = glm::normalize(inFocus - origin)};
+}
+
+Ray generateCameraRay(const World& world, std::uint32_t pixel, std::uint32_t pass) {
+    return generateCameraRay(world.camera, world.render, pixel, pass);
 }
 
 } // namespace hyalite::reference

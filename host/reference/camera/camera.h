@@ -26,6 +26,8 @@ struct CameraFrame {
 
 // The ray through the pixel (y * width + x, row 0 on top) in a pass: one point of the pixel's own sequence. It starts
 // at the centre of the lens or, for a lens with a radius, at a point on it.
+[[nodiscard]] Ray generateCameraRay(const CameraFrame& camera, const RenderSettings& render, std::uint32_t pixel,
+                                    std::uint32_t pass);
 [[nodiscard]] Ray generateCameraRay(const World& world, std::uint32_t pixel, std::uint32_t pass);
 
 } // namespace hyalite::reference
