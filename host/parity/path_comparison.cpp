@@ -5,6 +5,7 @@
 #include "parity/step_comparison.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hyalite::parity {
 
@@ -16,9 +17,16 @@ double relativeTo(const glm::dvec3& a, const glm::dvec3& b, double scale) {
     return largestComponent(a - b) / std::max({scale, largestComponent(b), 1e-30});
 }
 
+// Do the vertices lie at the same point of surfaces that touch? Rounding decides which of these is hit.
+bool areInOnePlace(const Sides& sides, const Vertex& device, const Vertex& twin) {
+    return device.object != shared::kNone && twin.object != shared::kNone &&
+           relativeTo(device.position, twin.position, sides.scale()) <= kPathTolerance &&
+           std::abs(glm::dot(device.normal, twin.normal)) >= 1 - kPathTolerance;
+}
+
 // The first quantity that differs at a vertex, in the order of computation; empty: nothing differs.
 std::string differenceAt(const Sides& sides, const Vertex& device, const Vertex& twin) {
-    if (device.object != twin.object) {
+    if (device.object != twin.object && !areInOnePlace(sides, device, twin)) {
         return "object";
     }
     if (relativeTo(device.position, twin.position, sides.scale()) > kPathTolerance) {

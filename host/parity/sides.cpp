@@ -58,7 +58,8 @@ dvec3 unpackDirection(std::uint32_t packed, std::uint32_t bits) {
 
 Sides::Sides(const Scene& scene, const render::DeviceScene& deviceScene)
     : scene_(scene), objectOf_(deviceScene.objectOf), leafOf_(deviceScene.leafOf), triangleOf_(deviceScene.triangleOf),
-      world_(reference::prepareWorld(scene)), scale_(scaleOf(scene, world_)) {
+      world_(reference::prepareWorld(scene)), scale_(scaleOf(scene, world_)),
+      hasRoughLobes_(deviceScene.hasRoughLobes) {
     takeProbabilities(deviceScene, world_);
 }
 

@@ -23,6 +23,7 @@ public:
     [[nodiscard]] const Scene& scene() const { return scene_; }
     [[nodiscard]] const reference::World& world() const { return world_; }
     [[nodiscard]] double scale() const { return scale_; } // largest coordinate of scene and camera [m]
+    [[nodiscard]] bool hasRoughLobes() const { return hasRoughLobes_; } // the device's camera paths leave rough points
 
     [[nodiscard]] reference::Ray toTwin(const shared::Ray& ray) const;
     [[nodiscard]] std::optional<reference::Hit> toTwin(const shared::Hit& hit) const;
@@ -70,6 +71,7 @@ private:
     std::vector<std::uint32_t> triangleOf_;
     reference::World world_;
     double scale_;
+    bool hasRoughLobes_;
 };
 
 // Decodes a direction packed as a point of the unfolded octahedron with `bits` bits per coordinate [Cigolle14]; the

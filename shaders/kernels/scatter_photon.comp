@@ -35,10 +35,12 @@ float arrivalFactor(Surface s, vec3 wo) {
 
 // The same for a lobe, with the inverse ratio for the direction that the photon leaves in: then photons carry what camera
 // paths find in the opposite direction [Veach97, sec. 5.3].
-float lobeFactor(Surface s, vec3 wo, vec3 wi) {
-    float at = abs(dot(wo, s.normal) * dot(wi, s.geometricNormal));
-    float geometric = abs(dot(wo, s.geometricNormal) * dot(wi, s.normal));
-    return min(at / max(geometric, kTiny), kMostSmoothing);
+float lobeFactor(Surface s, Lobe lobe, vec3 wo, vec3 wi) {
+    float cosOut = dot(wo, s.normal);
+    float cosIn = dot(wi, s.normal);
+    bool isMirrored = lobe.alpha == 0.0 && cosOut * cosIn > 0.0; // the same angle, which rounding must not tell apart
+    float smoothed = isMirrored ? 1.0 : abs(cosOut) / max(abs(cosIn), kTiny);
+    return min(smoothed * abs(dot(wi, s.geometricNormal)) / max(abs(dot(wo, s.geometricNormal)), kTiny), kMostSmoothing);
 }
 
 bool isSmoothed(Surface s) {
@@ -78,7 +80,7 @@ vec3 scatter(uint i, Surface s, MaterialRecord material, Lobe lobe, vec3 wo, Pho
         next = sampleLobe(lobe, s.normal, s.geometricNormal, wo, u, roulette.y, kFlux);
         next.weight /= probability;
         next.weight /= ofLobe;
-        next.weight *= isSmoothed(s) ? lobeFactor(s, wo, next.direction) : 1.0;
+        next.weight *= isSmoothed(s) ? lobeFactor(s, lobe, wo, next.direction) : 1.0;
         kind = path.kind == kPhotonDirect ? kPhotonCaustic : path.kind; // until it hits a diffuse surface
     } else {
         if (!isWanted(kPhotonIndirect)) {

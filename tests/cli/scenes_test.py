@@ -19,7 +19,8 @@ class EveryScene(CliTest):
                 self.assertEqual((picture.width, picture.height), (32, 32))
                 self.assertTrue(picture.is_finite())
                 self.assertGreaterEqual(min(picture.values()), 0)
-                self.assertGreater(max(picture.values()), 0)
+                is_black = "accept: [unseen-light, black-picture]" in scene.read_text()
+                self.assertEqual(max(picture.values()) > 0, not is_black)
                 # The program's own reader agrees; it refuses pictures with NaN.
                 self.assertEqual(self.succeed_json("compare", "a.exr", "a.exr")["rmse"], 0)
 
@@ -83,7 +84,7 @@ class KnownAnswers(CliTest):
                 self.assertAlmostEqual(min(values), 1.2 / math.pi, delta=1e-5)
                 self.assertAlmostEqual(max(values), 1.2 / math.pi, delta=1e-5)
 
-    def test_a_ball_has_the_mean_radiance_of_lamberts_law_from_a_hundred_kilometres(self):
+    def test_a_ball_has_the_mean_radiance_of_lamberts_law_from_ten_kilometres(self):
         # 16 384 samples, one for each cell of a grid, find the area of a disk across 58 pixels to 0.5 %.
         for backend in self.BACKENDS:
             with self.subTest(backend):

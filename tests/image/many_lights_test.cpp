@@ -101,9 +101,8 @@ TEST_CASE("a light in a closed ball is found under a sun a million times as stro
         for (const Renderer& renderer : renderers) {
             INFO(renderer.name << ", " << name);
             Scene picture = scene;
-            const bool isPhotonMap = renderer.integrator == "photonmap";
-            picture.render.passes = renderer.integrator == "path" ? 512 : isPhotonMap ? 2 : 8;
-            picture.render.photons = isPhotonMap ? 40000 : 10000; // half are the light's
+            picture.render.passes = renderer.integrator == "path" ? 512 : 96;
+            picture.render.photons = 4000; // half are the light's
             CHECK(judge(alarms, renderer, picture, everywhere(1), Independent::Renders, {.bias = 1e-5, .sees = 0.2}));
         }
     }

@@ -103,7 +103,9 @@ Answer AtSurface::deviceAnswer(std::size_t i, const reference::Surface* surface,
     if (isRough) {
         addRough(answer, stage.sides.toTwin(rough[i]));
     }
-    answer.vector(kShading.emitted, dvec3(emitted[result]));
+    if (isEmissionUsed()) {
+        answer.vector(kShading.emitted, dvec3(emitted[result]));
+    }
     return answer;
 }
 
@@ -152,7 +154,9 @@ Answer AtSurface::twinAnswer(std::size_t i, std::optional<reference::Hit> hit, N
     if (shading.rough && hasRough(i)) {
         addRough(answer, *shading.rough);
     }
-    answer.vector(kShading.emitted, shading.emitted + (adds ? dvec3(emittedBefore[result]) : dvec3(0)));
+    if (isEmissionUsed()) {
+        answer.vector(kShading.emitted, shading.emitted + (adds ? dvec3(emittedBefore[result]) : dvec3(0)));
+    }
     return answer;
 }
 

@@ -1,6 +1,7 @@
 // A camera path at its hit: for shade_surface, which follows one next ray, and trace_whitted, which follows all.
 #pragma once
 
+#include "geometry/light_use.h"
 #include "parity/check.h"
 #include "reference/integrators/shading.h"
 
@@ -90,7 +91,9 @@ struct AtSurface {
 
     template <class Arguments>
     void setNext(const Arguments& a) {
-        rough = stage.seen.after<shared::RoughPoint>(a.roughPoints, a.count);
+        if (stage.sides.hasRoughLobes()) {
+            rough = stage.seen.after<shared::RoughPoint>(a.roughPoints, a.count);
+        }
         nextRays = stage.seen.after<shared::Ray>(a.nextRays, children() * a.count);
         nextPaths = stage.seen.after<shared::CameraPath>(a.nextPaths, children() * a.count);
         alive = stage.seen.after<shared::uint>(a.alive, a.count);
@@ -98,6 +101,9 @@ struct AtSurface {
 
     [[nodiscard]] std::size_t children() const { return isTree ? 2 : 1; }
     [[nodiscard]] std::size_t resultOf(std::size_t i) const { return isTree ? i : paths[i].pixel; }
+    // The learning pass bounces at diffuse surfaces in every integrator, but the kernels of one that does not weight the
+    // emission found that way differently. Nobody reads it.
+    [[nodiscard]] bool isEmissionUsed() const { return args.pass != kLearningPass; }
     [[nodiscard]] bool hasRough(std::size_t i) const { return i < rough.size() && rough.size() == args.count; }
 
     // The device's result for path i; `surface`: the twin's, nullptr if the ray hits nothing.
