@@ -2,6 +2,7 @@
 #include "geometry/light_use.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hyalite {
@@ -9,14 +10,6 @@ namespace hyalite {
 std::uint32_t learningSide(std::size_t lights) {
     const double pixels = 131072.0 / (kLearningDepth * static_cast<double>(std::max<std::size_t>(lights, 1)));
     return static_cast<std::uint32_t>(std::clamp(std::floor(std::sqrt(pixels)), 4.0, 16.0));
-}
-
-std::vector<double> unoccludedParts(const std::vector<LightUse>& uses) {
-    std::vector<double> parts;
-    for (const LightUse& use : uses) {
-        parts.push_back((use.seen + 1.0) / (use.tried + 2.0));
-    }
-    return parts;
 }
 
 std::vector<double> photonShares(const Scene& scene) {
@@ -41,13 +34,29 @@ std::vector<double> photonShares(const Scene& scene) {
     return shares;
 }
 
-void scaleIntensities(LightTree& tree, const std::vector<double>& factors) {
-    for (auto node = tree.nodes.rbegin(); node != tree.nodes.rend(); ++node) { // children come after their parent
-        if (node->second == 0) {
-            node->extent.intensity *= factors.at(node->light);
-        } else {
-            const auto index = static_cast<std::size_t>(tree.nodes.rend() - node) - 1;
-            node->extent.intensity = tree.nodes[index + 1].extent.intensity + tree.nodes[node->second].extent.intensity;
+void scaleIntensities(LightTree& tree, const std::vector<LightUse>& uses) {
+    struct Sums {
+        double seen = 0;
+        double unseen = 0;
+        [[nodiscard]] double ofUnseen() const {
+            return unseen > kUnseenIntensity * seen && seen > 0 ? kUnseenIntensity * seen / unseen : 1;
+        }
+    };
+    std::array<Sums, 2> sums; // of the lights in the tree, and of far lights
+    const auto sumsOf = [&](std::size_t node) -> Sums& { return sums.at(node < tree.farCount ? 1 : 0); };
+    const auto isUnseen = [&](const LightTree::Node& leaf) { return uses.at(leaf.light).seen == 0; };
+    for (const std::uint32_t at : tree.leafOf) {
+        LightTree::Node& leaf = tree.nodes.at(at);
+        const LightUse& use = uses.at(leaf.light);
+        leaf.extent.intensity *= (use.seen + 1.0) / (use.tried + 2.0);
+        (isUnseen(leaf) ? sumsOf(at).unseen : sumsOf(at).seen) += leaf.extent.intensity;
+    }
+    for (std::size_t at = tree.nodes.size(); at-- > 0;) { // children come after their parent
+        LightTree::Node& node = tree.nodes[at];
+        if (node.second != 0) {
+            node.extent.intensity = tree.nodes[at + 1].extent.intensity + tree.nodes[node.second].extent.intensity;
+        } else if (isUnseen(node)) {
+            node.extent.intensity *= sumsOf(at).ofUnseen();
         }
     }
 }

@@ -29,6 +29,9 @@ inline constexpr std::size_t kMostLightsAsked = 64;
 // Part of the photons that are distributed by the light that the lights were found to bring.
 inline constexpr double kLearnedPhotons = 0.5;
 
+// Most intensity that the lights that were tried but never seen keep together, relative to those that were.
+inline constexpr double kUnseenIntensity = 0.125;
+
 // The pass whose random numbers the paths use; no picture has it.
 inline constexpr std::uint32_t kLearningPass = 0xfffffffe;
 
@@ -39,15 +42,13 @@ inline constexpr std::uint32_t kLearningDepth = 4;
 // lights, but enough places.
 [[nodiscard]] std::uint32_t learningSide(std::size_t lights);
 
-// The parts of the lights' importance that are not occluded, as estimated from the tries: (seen + 1) / (tried + 2), so
-// that a light that was never seen keeps a little.
-[[nodiscard]] std::vector<double> unoccludedParts(const std::vector<LightUse>& uses);
-
 // The photon shares of the scene's lights, in the order of lightExtents.
 [[nodiscard]] std::vector<double> photonShares(const Scene& scene);
 
-// Multiplies the intensity of every light by its factor, and sums them up in the tree.
-void scaleIntensities(LightTree& tree, const std::vector<double>& factors);
+// Multiplies the intensity of every light by the part of it that is not occluded, as estimated from the tries:
+// (seen + 1) / (tried + 2). The lights never seen keep a little, but together at most kUnseenIntensity of what those
+// that were seen have; far lights and the others count separately.
+void scaleIntensities(LightTree& tree, const std::vector<LightUse>& uses);
 
 // The photons' pmf: kLearnedPhotons of it by share times the light brought, the rest as given. `pmf` if no light
 // brought any.

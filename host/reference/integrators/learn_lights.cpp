@@ -66,7 +66,7 @@ void learnLights(World& world, const std::vector<double>& shares) {
         return;
     }
     const std::vector<LightUse> uses = tryLights(world);
-    scaleIntensities(world.lightTree, unoccludedParts(uses));
+    scaleIntensities(world.lightTree, uses);
     std::vector<double> pmf;
     for (const Light& light : world.lights) {
         pmf.push_back(light.pmf);

@@ -115,7 +115,7 @@ private:
 
 void apply(const std::vector<LightUse>& uses, const Scene& scene, DeviceScene& deviceScene) {
     LightTree tree = buildLightTree(lightExtents(scene));
-    scaleIntensities(tree, unoccludedParts(uses));
+    scaleIntensities(tree, uses);
     deviceScene.lightNodes.write(kinds::nodeRecords(tree));
     std::vector<shared::LightRecord> lights = deviceScene.lights.read();
     const std::vector<double> shares = photonShares(scene);
