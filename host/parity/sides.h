@@ -22,7 +22,7 @@ public:
 
     [[nodiscard]] const Scene& scene() const { return scene_; }
     [[nodiscard]] const reference::World& world() const { return world_; }
-    [[nodiscard]] double scale() const { return scale_; } // largest coordinate of scene and camera [m]
+    [[nodiscard]] double scale() const { return scale_; }               // largest coordinate of scene and camera [m]
     [[nodiscard]] bool hasRoughLobes() const { return hasRoughLobes_; } // the device's camera paths leave rough points
 
     [[nodiscard]] reference::Ray toTwin(const shared::Ray& ray) const;

@@ -125,7 +125,6 @@ struct PhotonFate {
 };
 DEVICE_ARRAY(PhotonFate, PhotonFateArray);
 
-DEVICE_ARRAY(uint, UintArray);
 DEVICE_ARRAY(uvec2, UintPairArray);
 DEVICE_ARRAY(float, FloatArray);
 DEVICE_ARRAY(vec3, ColorArray);

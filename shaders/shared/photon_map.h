@@ -3,6 +3,7 @@
 #define HYALITE_SHARED_PHOTON_MAP_H
 #include "grid.h"
 #include "path_records.h"
+#include "scene_records.h"
 SHARED_BEGIN
 
 // The search structure; a specialization constant of the kernels that search.

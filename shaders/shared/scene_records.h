@@ -165,16 +165,17 @@ SHARED_CONSTANT kTextureCheckerWorld = 1u;
 SHARED_CONSTANT kTextureCheckerUv = 2u;
 SHARED_CONSTANT kTextureCustom = 3u; // see textures/custom_texture.glsl
 
-DEVICE_ARRAY(uint, NeighborArray);
+// Also for neighbours: of two array types with the same elements, spirv-opt takes pointers in a record for the other.
+DEVICE_ARRAY(uint, UintArray);
 
 // Data for surface evaluation beyond an object's texels; one per object.
 struct InstanceRecord {
     vec4 row0; // rows of the 3x4 matrix from object to world space; the identity for shapes in world space
     vec4 row1;
     vec4 row2;
-    NeighborArray neighbors; // objects that it touches, itself among them, the larger ones first: two words each, the
-                             // object and, as bits, the largest coordinate of the smaller of the two [m]
-    uint neighborCount;      // 0 unless it or one of them is a dielectric
+    UintArray neighbors; // objects that it touches, itself among them, the larger ones first: two words each, the
+                         // object and, as bits, the largest coordinate of the smaller of the two [m]
+    uint neighborCount;  // 0 unless it or one of them is a dielectric
 };
 DEVICE_ARRAY(InstanceRecord, InstanceArray);
 

@@ -31,7 +31,7 @@ FAULTS = [
      CAUSTICS, "shade_surface"),
     ("2 pi for pi under the diffuse reflectance", "lib/math.glsl", "kInvPi = 0.318309886183791",
      "kInvPi = 0.159154943091895", CAUSTICS, "sample_lights"),
-    ("normal of a sphere not normalised", "shapes/surface.glsl", "normalize(p - sphere.xyz)", "(p - sphere.xyz)", CAUSTICS,
+    ("normal of a sphere not normalised", "shapes/surface.glsl", "normalize(t > kFarHit", "(t > kFarHit", CAUSTICS,
      "shade_surface"),
     ("next ray starts on the wrong side", "shapes/surface.glsl", "(side * s.error)", "(-side * s.error)", CAUSTICS,
      "shade_surface"),

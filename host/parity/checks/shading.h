@@ -101,8 +101,8 @@ struct AtSurface {
 
     [[nodiscard]] std::size_t children() const { return isTree ? 2 : 1; }
     [[nodiscard]] std::size_t resultOf(std::size_t i) const { return isTree ? i : paths[i].pixel; }
-    // The learning pass bounces at diffuse surfaces in every integrator, but the kernels of one that does not weight the
-    // emission found that way differently. Nobody reads it.
+    // The learning pass bounces at diffuse surfaces in every integrator, but the kernels of one that does not weight
+    // the emission found that way differently. Nobody reads it.
     [[nodiscard]] bool isEmissionUsed() const { return args.pass != kLearningPass; }
     [[nodiscard]] bool hasRough(std::size_t i) const { return i < rough.size() && rough.size() == args.count; }
 

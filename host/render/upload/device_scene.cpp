@@ -157,7 +157,7 @@ DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, c
     const std::vector<std::uint32_t> neighbors = setNeighbors(reference::touchingObjects(scene), objects);
     device.neighbors = {context, std::span<const std::uint32_t>(neighbors), "touching objects"};
     for (shared::InstanceRecord& instance : objects.instances) {
-        instance.neighbors.address += shared::NeighborArray(device.neighbors).address;
+        instance.neighbors.address += shared::UintArray(device.neighbors).address;
     }
     device.instances = {context, std::span<const shared::InstanceRecord>(objects.instances), "instances"};
     device.normals = upload(context, meshes.normals, "normals");
