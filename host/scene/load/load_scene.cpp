@@ -191,6 +191,7 @@ void readScene(const Value& root, const std::filesystem::path& folder, Scene& sc
     checkTextures(scene);
     dropRepeatedObjects(scene);
     checks::turnInsideOutGlass(scene);
+    findMeshBounds(scene);
     checks::findOpenGlass(scene);
     checks::findBackToBackFaces(scene);
     reference::checkMediaDepth(scene);

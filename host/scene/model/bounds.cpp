@@ -1,6 +1,7 @@
 // See bounds.h.
 #include "scene/model/bounds.h"
 
+#include "base/parallel.h"
 #include "scene/model/quadric.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ Bounds shapeBounds(const Scene& /*scene*/, const Plane& plane) {
 }
 
 Bounds shapeBounds(const Scene& scene, const MeshInstance& instance) {
-    return meshBounds(scene.meshes[instance.mesh], instance.objectToWorld);
+    return instance.bounds ? *instance.bounds : meshBounds(scene.meshes[instance.mesh], instance.objectToWorld);
 }
 
 // Bounds of the leaf as a solid: a plane is the half-space behind it.
@@ -97,6 +98,18 @@ Bounds meshBounds(const Mesh& mesh, const glm::dmat4& objectToWorld) {
         }
     }
     return box;
+}
+
+void findMeshBounds(Scene& scene) {
+    for (std::vector<Object>* objects : {&scene.objects, &scene.csgLeaves}) {
+        parallelFor(objects->size(), 16, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                if (auto* instance = std::get_if<MeshInstance>(&(*objects)[i].shape)) {
+                    instance->bounds = meshBounds(scene.meshes[instance->mesh], instance->objectToWorld);
+                }
+            }
+        });
+    }
 }
 
 double worldArea(const Mesh& mesh, const glm::dmat4& objectToWorld) {

@@ -10,6 +10,9 @@ namespace hyalite {
 // Bounds of the mesh's triangles in world space.
 [[nodiscard]] Bounds meshBounds(const Mesh& mesh, const glm::dmat4& objectToWorld);
 
+// Notes the bounds of every instance, which are asked for often. To be called again after instances or meshes change.
+void findMeshBounds(Scene& scene);
+
 // Area of the mesh's triangles in world space [m^2].
 [[nodiscard]] double worldArea(const Mesh& mesh, const glm::dmat4& objectToWorld);
 

@@ -89,6 +89,7 @@ void recentre(Scene& scene) {
         originNear(glm::clamp(camera.position, box.low, box.high), size > 0 ? std::min(size, reach) : reach);
     if (origin != dvec3(0)) {
         move(scene, -origin);
+        findMeshBounds(scene);
         scene.origin += origin;
     }
 }
