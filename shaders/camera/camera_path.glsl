@@ -13,12 +13,12 @@
 // Emission counts in full if no light was sampled for the path's direction; otherwise multiple importance sampling
 // weights the two [Veach95]. `every`: every light is sampled, none picked. `normal`: the light's, where the ray hits it,
 // `distance` away.
-float emissionWeight(LightRecord light, bool every, Ray ray, float distance, vec3 normal, CameraPath path) {
+float emissionWeight(LightArray lights, uint index, bool every, Ray ray, float distance, vec3 normal, CameraPath path) {
     if (!(sceneHasRoughLobes() || kDiffuseBounces != 0u) || path.pdfW == 0.0) {
         return 1.0;
     }
-    float pmf = every ? 1.0 : pickProbability(light, ray.origin);
-    return powerHeuristic(path.pdfW, pmf * lightPdf(light, ray.origin, ray.direction, distance, normal));
+    float pmf = every ? 1.0 : pickProbability(lights, index, ray.origin);
+    return powerHeuristic(path.pdfW, pmf * lightPdf(lights.at[index], ray.origin, ray.direction, distance, normal));
 }
 
 // Emission of a ray that leaves the scene: the environment is the first light.
@@ -28,7 +28,7 @@ vec3 emissionBeyond(LightArray lights, bool every, Ray ray, CameraPath path) {
         return vec3(0.0);
     }
     return path.beta * environmentRadiance(light, ray.direction) *
-           emissionWeight(light, every, ray, kInfinity, vec3(0.0), path);
+           emissionWeight(lights, 0u, every, ray, kInfinity, vec3(0.0), path);
 }
 
 // Emission of the surface that the ray hits `distance` away.
@@ -38,7 +38,7 @@ vec3 emissionOf(Surface s, LightArray lights, bool every, Ray ray, float distanc
     }
     LightRecord light = lights.at[s.light];
     return path.beta * light.emission *
-           emissionWeight(light, every, ray, distance, s.geometricNormal, path);
+           emissionWeight(lights, s.light, every, ray, distance, s.geometricNormal, path);
 }
 
 // ---- What it leaves, and what goes on

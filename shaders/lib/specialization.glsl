@@ -33,8 +33,8 @@ layout(constant_id = 10) const uint kCsgLeaves = kMaxCsgLeaves;
 // Bit kLight… is set for every type of light in the scene. With a single type, no light is asked for its type.
 layout(constant_id = 11) const uint kLightTypes = 0xffffffffu;
 
-// 0: the scene has one light, which every pick takes.
-layout(constant_id = 12) const uint kManyLights = 1u;
+// Number of lights, at most kFewLights + 1, which stands for any larger number.
+layout(constant_id = 12) const uint kLightCount = kFewLights + 1u;
 
 // Bits of an entry in a list of media (media.h).
 layout(constant_id = 13) const uint kMediumBits = 8u;

@@ -68,13 +68,17 @@ float farImportance(LightHierarchy all, vec3 x) {
     return max(sum, kTiny);
 }
 
-// Probability that a pick that is not by pmf takes a far light; `far`: their importance.
+// Probability that a pick that is not by pmf takes a far light, if there are lights of both kinds; `far`, `near`: their
+// importance.
+float farShare(float far, float near) {
+    return 0.5 * kEvenPicks + (1.0 - kEvenPicks) * far / (far + near);
+}
+
 float farShare(LightHierarchy all, float far, vec3 x) {
     if (all.farCount == 0u || all.farCount == all.lightCount) {
         return all.farCount == 0u ? 0.0 : 1.0;
     }
-    float near = treeImportance(all.nodes.at[all.farCount], x);
-    return 0.5 * kEvenPicks + (1.0 - kEvenPicks) * far / (far + near);
+    return farShare(far, treeImportance(all.nodes.at[all.farCount], x));
 }
 
 // Of two sibling nodes, the probability to descend to the first.
@@ -128,10 +132,61 @@ LightPick pickFar(LightHierarchy all, float far, vec3 x, float u) {
     return LightPick(all.nodes.at[node].light, importance / far);
 }
 
+// ---- Few lights: their number is a constant, so no loop and no tree is left, and every thread loads the same records.
+
+bool areFew() {
+    return kLightCount <= kFewLights;
+}
+
+bool isFar(LightArray lights, uint i) {
+    return i < kLightCount && lights.at[i].isFar != 0u;
+}
+
+bool isNear(LightArray lights, uint i) {
+    return i < kLightCount && lights.at[i].isFar == 0u;
+}
+
+float ownImportance(LightArray lights, uint i, vec3 x) {
+    if (i >= kLightCount) {
+        return 0.0;
+    }
+    return isFar(lights, i) ? farImportance(lights.at[i].extent, x) : treeImportance(lights.at[i].extent, x);
+}
+
+float pmfOf(LightArray lights, uint i) {
+    return i < kLightCount ? lights.at[i].pmf : 0.0;
+}
+
+// The probabilities of up to kFewLights lights for a receiver at x.
+vec4 probabilitiesOfFew(LightArray lights, vec3 x) {
+    vec4 own = vec4(ownImportance(lights, 0u, x), ownImportance(lights, 1u, x), ownImportance(lights, 2u, x),
+                    ownImportance(lights, 3u, x));
+    bvec4 far = bvec4(isFar(lights, 0u), isFar(lights, 1u), isFar(lights, 2u), isFar(lights, 3u));
+    bvec4 near = bvec4(isNear(lights, 0u), isNear(lights, 1u), isNear(lights, 2u), isNear(lights, 3u));
+    float farSum = max(dot(own, vec4(far)), kTiny);
+    float nearSum = max(dot(own, vec4(near)), kTiny);
+    float share = any(far) ? any(near) ? farShare(farSum, nearSum) : 1.0 : 0.0;
+    vec4 byPlace = own * mix(vec4((1.0 - share) / nearSum), vec4(share / farSum), far);
+    vec4 pmf = vec4(pmfOf(lights, 0u), pmfOf(lights, 1u), pmfOf(lights, 2u), pmfOf(lights, 3u));
+    return kPicksByPmf * pmf + (1.0 - kPicksByPmf) * byPlace;
+}
+
+LightPick pickAmongFew(LightArray lights, vec3 x, float u) {
+    vec4 p = probabilitiesOfFew(lights, x);
+    uint i = u < p.x ? 0u : u < p.x + p.y ? 1u : u < p.x + p.y + p.z ? 2u : 3u;
+    i = min(i, kLightCount - 1u);
+    return LightPick(i, i < 2u ? (i == 0u ? p.x : p.y) : (i == 2u ? p.z : p.w));
+}
+
+// ---- Any number of lights
+
 // Picks a light for a receiver at x; u uniform in [0, 1)^2.
 LightPick pickLightAt(LightArray lights, vec3 x, vec2 u) {
-    if (kManyLights == 0u) {
+    if (kLightCount == 1u) {
         return LightPick(0u, 1.0);
+    }
+    if (areFew()) {
+        return pickAmongFew(lights, x, u.x);
     }
     LightHierarchy all = lights.at[0].hierarchy.at[0];
     float far = farImportance(all, x);
@@ -155,10 +210,15 @@ LightPick pickLightAt(LightArray lights, vec3 x, vec2 u) {
 }
 
 // Probability that pickLightAt picks the light for a receiver at x.
-float pickProbability(LightRecord light, vec3 x) {
-    if (kManyLights == 0u) {
+float pickProbability(LightArray lights, uint index, vec3 x) {
+    if (kLightCount == 1u) {
         return 1.0;
     }
+    if (areFew()) {
+        vec4 p = probabilitiesOfFew(lights, x);
+        return index < 2u ? (index == 0u ? p.x : p.y) : (index == 2u ? p.z : p.w);
+    }
+    LightRecord light = lights.at[index];
     LightHierarchy all = light.hierarchy.at[0];
     float far = farImportance(all, x);
     float share = farShare(all, far, x);

@@ -50,6 +50,9 @@ SHARED_FLOAT kSmoothIndex = 1.0e-3F;
 // the radiance behind the glass. But the light may be occluded, and the highlight of a pane's back needs paths as well.
 SHARED_FLOAT kShareToLight = 0.5F;
 
+// Up to this many lights are compared one by one to pick one, without the tree (pick_light.glsl).
+SHARED_CONSTANT kFewLights = 4u;
+
 // Share of the picks of a light for a receiver that follow the lights' pmf, whatever the place: half of that is even
 // over the lights, so N lights of any strength get 1 / (8 N) of the picks each.
 SHARED_FLOAT kPicksByPmf = 0.25F;

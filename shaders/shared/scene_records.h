@@ -88,6 +88,8 @@ struct LightRecord {
     RadianceArray texels;          // environment: row by row, the upper one first
     LightHierarchyArray hierarchy; // one, of all lights
     uint node;                     // this light's, in the hierarchy
+    uint isFar;                    // 1: a far light (LightHierarchy), else 0
+    LightNode extent;              // a copy of that node
     uint media;                    // around it, where its photons start, see media.h
 };
 DEVICE_ARRAY(LightRecord, LightArray);

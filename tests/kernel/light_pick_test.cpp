@@ -38,10 +38,10 @@ void main() {
     }
     vec3 x = args.receivers.at[i];
     LightPick pick = pickLightAt(args.lights, x, sampleUnit(photonSampler(5u, i), 0u));
-    args.picks.at[i] = vec3(float(pick.light), pick.pmf, pickProbability(args.lights.at[pick.light], x));
+    args.picks.at[i] = vec3(float(pick.light), pick.pmf, pickProbability(args.lights, pick.light, x));
     float sum = 0.0;
     for (uint light = 0u; light < args.lightCount; ++light) {
-        sum += pickProbability(args.lights.at[light], x);
+        sum += pickProbability(args.lights, light, x);
     }
     args.sums.at[i] = sum;
 }
@@ -57,10 +57,34 @@ Scene crowdOfLights() {
     return scene;
 }
 
+// One that is near and two that are far.
+Scene fewLights() {
+    Scene scene = everyLight();
+    scene.environment.reset();
+    scene.spots.clear();
+    scene.lights.resize(1);
+    std::erase_if(scene.objects, [](const Object& object) { return object.emission != dvec3(0); });
+    REQUIRE(scene.directionals.size() >= 2);
+    scene.directionals.resize(2);
+    return scene;
+}
+
+// Three quads, which shine to one side.
+Scene fewEmitters() {
+    Scene scene = fewLights();
+    scene.directionals.clear();
+    scene.lights.clear();
+    for (int i = 0; i < 3; ++i) {
+        reference::test::addObject(scene, Quad{{i - 1.0, 1.2, 0.1 * i}, {0.5, 0, 0}, {0, 0.2, 0.5}}, std::nullopt,
+                                   dvec3(1 + 3 * i));
+    }
+    return scene;
+}
+
 } // namespace
 
 TEST_CASE("the device picks a receiver's light as the reference does, and its probabilities add up to 1") {
-    const auto scene = GENERATE(everyLight(), crowdOfLights());
+    const auto scene = GENERATE(everyLight(), crowdOfLights(), fewLights(), fewEmitters());
     BothSides both(scene);
     const TemporaryShaders folder;
     folder.write("kernels/pick_lights.comp", kKernel);

@@ -87,9 +87,7 @@ void addNodes(const Scene& scene, LightTable& table) {
     const LightTree tree = buildLightTree(lightExtents(scene));
     table.nodes = nodeRecords(tree);
     table.farCount = tree.farCount;
-    for (std::size_t i = 0; i < table.lights.size(); ++i) {
-        table.lights[i].node = tree.leafOf.at(i);
-    }
+    placeInTree(table.lights, tree);
 }
 
 } // namespace
@@ -111,6 +109,14 @@ std::vector<shared::LightNode> nodeRecords(const LightTree& tree) {
         records.push_back(nodeRecord(node));
     }
     return records;
+}
+
+void placeInTree(std::vector<shared::LightRecord>& lights, const LightTree& tree) {
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        lights[i].node = tree.leafOf.at(i);
+        lights[i].isFar = lights[i].node < tree.farCount ? 1 : 0;
+        lights[i].extent = nodeRecord(tree.nodes.at(lights[i].node));
+    }
 }
 
 LightTable buildLightTable(const Scene& scene) {

@@ -51,6 +51,9 @@ void setStartDisc(shared::LightRecord& light, double radius, double distance);
 // The tree's nodes as the kernels read them.
 [[nodiscard]] std::vector<shared::LightNode> nodeRecords(const LightTree& tree);
 
+// Gives every light its place in the tree and a copy of its node.
+void placeInTree(std::vector<shared::LightRecord>& lights, const LightTree& tree);
+
 // Turns the byte offsets in the lights into device addresses.
 void setAddresses(std::vector<shared::LightRecord>& lights, shared::LightTriangleArray triangles,
                   shared::RadianceArray texels, shared::CdfArray cdfs, shared::LightHierarchyArray hierarchy);

@@ -1,6 +1,7 @@
 // Three ways to pick, mixed: by the lights' pmf; by importance among the far lights; and down the tree, at each node to
 // one of two children by importance. A node's importance is the irradiance that its lights would bring at most, had
 // they all the direction and place that suits the receiver best: intensity over squared distance, faded by the angle.
+// Of few lights the importance of each is summed instead, and one number decides.
 #include "reference/lights/light_choice.h"
 
 #include "reference/world.h"
@@ -49,11 +50,12 @@ public:
             far_ += at(node);
         }
         far_ = std::max(far_, kTiny);
+        near_ = importanceOfNear();
         if (farCount_ == world.lights.size()) {
             farShare_ = 1;
         } else if (farCount_ > 0) {
             constexpr double kEven = shared::kEvenPicks;
-            farShare_ = kEven / 2 + (1 - kEven) * far_ / (far_ + at(farCount_));
+            farShare_ = kEven / 2 + (1 - kEven) * far_ / (far_ + near_);
         }
     }
 
@@ -61,12 +63,17 @@ public:
     [[nodiscard]] double probability(std::uint32_t light) const {
         constexpr double kByPmf = shared::kPicksByPmf;
         const std::uint32_t leaf = world_.lightTree.leafOf[light];
-        const double byPlace =
-            leaf < farCount_ ? farShare_ * at(leaf) / far_ : (1 - farShare_) * probabilityOfDescent(leaf);
+        const double inGroup = leaf < farCount_ ? at(leaf) / far_
+                               : areFew()       ? at(leaf) / near_
+                                                : probabilityOfDescent(leaf);
+        const double byPlace = inGroup * (leaf < farCount_ ? farShare_ : 1 - farShare_);
         return kByPmf * world_.lights[light].pmf + (1 - kByPmf) * byPlace;
     }
 
     [[nodiscard]] std::uint32_t pick(glm::dvec2 uv) const {
+        if (areFew()) {
+            return pickAmongFew(uv.x);
+        }
         const double group = (uv.y - double{shared::kPicksByPmf}) / (1 - double{shared::kPicksByPmf});
         if (group < 0) {
             return chooseLight(world_.lights, uv.x);
@@ -75,6 +82,28 @@ public:
     }
 
 private:
+    [[nodiscard]] bool areFew() const { return world_.lights.size() <= shared::kFewLights; }
+
+    [[nodiscard]] double importanceOfNear() const {
+        if (!areFew()) {
+            return farCount_ < world_.lights.size() ? at(farCount_) : 0;
+        }
+        double sum = 0;
+        for (const std::uint32_t leaf : world_.lightTree.leafOf) {
+            sum += leaf < farCount_ ? 0 : at(leaf);
+        }
+        return std::max(sum, kTiny);
+    }
+
+    [[nodiscard]] std::uint32_t pickAmongFew(double u) const {
+        const auto last = static_cast<std::uint32_t>(world_.lights.size() - 1);
+        std::uint32_t light = 0;
+        for (double sum = probability(0); light < last && u >= sum; sum += probability(light)) {
+            ++light;
+        }
+        return light;
+    }
+
     [[nodiscard]] double at(std::uint32_t node) const { return importance(nodes_[node].extent, receiver_); }
 
     [[nodiscard]] double firstShare(std::uint32_t parent) const {
@@ -124,6 +153,7 @@ private:
     std::uint32_t farCount_;
     glm::dvec3 receiver_;
     double far_ = 0;      // importance of the far lights
+    double near_ = 0;     // and of the others
     double farShare_ = 0; // of the picks that are not by pmf
 };
 

@@ -180,7 +180,7 @@ DeviceScene uploadScene(const gpu::Context& context, gpu::TexelTables& tables, c
     device.specialization["kMediaNeeds"] = mediaNeeds(scene) | (neighbors.empty() ? 0 : touching);
     device.specialization["kLightTypes"] = typesOf(lights.lights);
     device.specialization["kMaterialTypes"] = materials.types;
-    device.specialization["kManyLights"] = device.lightCount > 1 ? 1 : 0;
+    device.specialization["kLightCount"] = std::min(device.lightCount, shared::kFewLights + 1);
     device.specialization["kLightsSought"] = device.lightCount <= shared::kMostLightsSought ? device.lightCount : 0;
     device.objectOf = std::move(objects.objectOf);
     device.leafOf = std::move(objects.leafOf);

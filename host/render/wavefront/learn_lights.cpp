@@ -118,6 +118,7 @@ void apply(const std::vector<LightUse>& uses, const Scene& scene, DeviceScene& d
     scaleIntensities(tree, uses);
     deviceScene.lightNodes.write(kinds::nodeRecords(tree));
     std::vector<shared::LightRecord> lights = deviceScene.lights.read();
+    kinds::placeInTree(lights, tree);
     const std::vector<double> shares = photonShares(scene);
     std::vector<double> weights;
     for (std::size_t i = 0; i < lights.size(); ++i) {

@@ -198,8 +198,8 @@ struct Torus {                     // about the y axis of object space: (sqrt(x^
     glm::dmat4 objectToWorld{1.0}; // invertible, affine
 };
 struct MeshInstance {
-    std::size_t mesh = 0;                         // in Scene::meshes
-    glm::dmat4 objectToWorld{1.0};                // invertible, affine
+    std::size_t mesh = 0;                        // in Scene::meshes
+    glm::dmat4 objectToWorld{1.0};               // invertible, affine
     std::optional<Bounds> bounds = std::nullopt; // in world space, if known; see findMeshBounds
 };
 
