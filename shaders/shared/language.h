@@ -56,4 +56,9 @@ using glm::vec4;
 #endif
 
 #endif
+SHARED_BEGIN
+// The only array of words: of two array types with the same elements, spirv-opt takes pointers in a record for the
+// other.
+DEVICE_ARRAY(uint, UintArray);
+SHARED_END
 #endif

@@ -167,9 +167,6 @@ SHARED_CONSTANT kTextureCheckerWorld = 1u;
 SHARED_CONSTANT kTextureCheckerUv = 2u;
 SHARED_CONSTANT kTextureCustom = 3u; // see textures/custom_texture.glsl
 
-// Also for neighbours: of two array types with the same elements, spirv-opt takes pointers in a record for the other.
-DEVICE_ARRAY(uint, UintArray);
-
 // Data for surface evaluation beyond an object's texels; one per object.
 struct InstanceRecord {
     vec4 row0; // rows of the 3x4 matrix from object to world space; the identity for shapes in world space

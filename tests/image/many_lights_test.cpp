@@ -101,9 +101,9 @@ TEST_CASE("a light in a closed ball is found under a sun a million times as stro
         for (const Renderer& renderer : renderers) {
             INFO(renderer.name << ", " << name);
             Scene picture = scene;
-            picture.render.passes = renderer.integrator == "path" ? 512 : 64;
-            picture.render.photons = 4000; // half are the light's
-            CHECK(judge(alarms, renderer, picture, everywhere(1), Independent::Renders, {.bias = 1e-5, .sees = 0.2}));
+            picture.render.passes = renderer.integrator == "path" ? 512 : 48;
+            picture.render.photons = 8000; // half are the light's
+            CHECK(judge(alarms, renderer, picture, everywhere(1), Independent::Renders, {.bias = 1e-5, .sees = 0.3}));
         }
     }
 }

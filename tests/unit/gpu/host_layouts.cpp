@@ -33,7 +33,9 @@ std::map<std::string, HostLayout> hostLayouts() {
                 parameters, priority, thin, function, colorTexture, roughnessTexture);
     HOST_LAYOUT(LightTriangle, corner, edge0, edge1, normal);
     HOST_LAYOUT(LightRecord, type, position, edge0, edge1, normal, radius, distance, cone, error, area, emission, power,
-                pmf, cdf, columns, rows, rotation, cdfs, triangles, texels, hierarchy, node, media);
+                pmf, cdf, columns, rows, rotation, cdfs, triangles, texels, hierarchy, node, isFar, extent.center,
+                extent.radius, extent.axis, extent.cosSpread, extent.sinSpread, extent.cosFade, extent.intensity,
+                extent.parent, extent.second, extent.light, media);
     HOST_LAYOUT(LightNode, center, radius, axis, cosSpread, sinSpread, cosFade, intensity, parent, second, light);
     HOST_LAYOUT(LightHierarchy, nodes, lightCount, farCount);
     HOST_LAYOUT(InstanceRecord, row0, row1, row2, neighbors, neighborCount);
