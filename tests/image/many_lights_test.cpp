@@ -101,8 +101,8 @@ TEST_CASE("a light in a closed ball is found under a sun a million times as stro
         for (const Renderer& renderer : renderers) {
             INFO(renderer.name << ", " << name);
             Scene picture = scene;
-            picture.render.passes = renderer.integrator == "path" ? 512 : 48;
-            picture.render.photons = 8000; // half are the light's
+            picture.render.passes = renderer.integrator == "path" ? 512 : renderer.integrator == "ppm" ? 48 : 8;
+            picture.render.photons = renderer.integrator == "photonmap" ? 40000 : 8000; // half are the light's
             CHECK(judge(alarms, renderer, picture, everywhere(1), Independent::Renders, {.bias = 1e-5, .sees = 0.3}));
         }
     }
