@@ -18,8 +18,8 @@ struct Judgement {
 //   Lit: flux that the walls absorb over the flux that the lights send. A wall of albedo a and area A shows the mean
 //     radiance a E / pi, so that it absorbs (1 - a) E A; six pictures of whole walls give all of it.
 //   Furnace, Nested: mean radiance of the picture. Walls emit 1 - a and reflect a; every line that ends at a wall
-//   carries 1 if
-//     all do that arrive there, and objects only absorb. So 1 is the solution without objects and a bound with them.
+//     carries 1 if all do that arrive there, and objects only absorb. So 1 is the solution without objects and a bound
+//     with them.
 //   Sealed: mean radiance of the picture over 1e-30: 0.
 //
 // Is the expected balance above 1, plus `bias`? Two renders below the bound suffice to say no; otherwise fresh renders
