@@ -175,12 +175,17 @@ void Comparison::count(const Answer& device, const Answer& twin, const FieldResu
             continue;
         }
         ++result.compared;
-        if (&result == different && (explained || a == nullptr || b == nullptr || field.measure == Measure::Exact)) {
+        const bool oneSided = a == nullptr || b == nullptr;
+        if (&result == different && (explained || oneSided || field.measure == Measure::Exact)) {
             ++(explained ? result.apart : result.failed);
             return;
         }
+        if (oneSided) { // such as a distance that only one side's light has, after directions that differ
+            ++(explained ? result.apart : result.failed);
+            continue;
+        }
         if (field.measure == Measure::Exact) {
-            ++result.matched;
+            ++(a->exact == b->exact ? result.matched : result.failed);
             continue;
         }
         const FieldError error = errorOf(field, *a, *b, sceneScale_);

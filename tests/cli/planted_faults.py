@@ -109,7 +109,7 @@ FAULTS = [
     ("discs that reach beyond the edge of the wall", "photons/disc.glsl", "clamp(0.5 * abs(twice), kLeastShareOfDisc * whole, whole)",
      "whole", CAUSTICS, "gather_radiance"),
     ("photons by the cosine at the geometric normal", "kernels/scatter_photon.comp",
-     "isSmoothed(s) ? lobeFactor(s, wo, next.direction) : 1.0", "1.0", TEAPOT, "scatter_photon"),
+     "isSmoothed(s) ? lobeFactor(s, lobe, wo, next.direction) : 1.0", "1.0", TEAPOT, "scatter_photon"),
     ("records with discs twice as wide", "kernels/store_irradiance.comp", "packRecordRadius(args.radii.at[i])",
      "packRecordRadius(2.0 * args.radii.at[i])", BOX, "store_irradiance"),
     ("filter without its mean", "kernels/estimate_radiance.comp", "1.0 - 2.0 / (3.0 * args.filterConstant)", "1.0",

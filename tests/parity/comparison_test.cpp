@@ -129,6 +129,20 @@ TEST_CASE("a number is apart within the effect of input roundings, and has faile
     CHECK(comparison.compare("", 2, hitOf(1, 1 + 4 * reach), steep, noInputs) == Outcome::Failed);
 }
 
+TEST_CASE("a number that one side alone has, after another that differs, has failed") {
+    const std::array<const Field*, 2> fields{&kColors.color, &kHit.t};
+    Comparison comparison("lights", fields, 1);
+    Answer device;
+    device.vector(kColors.color, glm::dvec3(1));
+    device.number(kHit.t, 5);
+    Answer twin;
+    twin.vector(kColors.color, glm::dvec3(2));
+    CHECK(comparison.compareExact("", 0, device, twin) == Outcome::Failed);
+    CHECK(comparison.compareExact("", 1, twin, device) == Outcome::Failed);
+    CHECK(comparison.result().fields[1].compared == 2);
+    CHECK(comparison.result().fields[1].failed == 2);
+}
+
 TEST_CASE("a stage with too many differences due to rounding fails") {
     const Comparison::Twin undecided = [](Nudge nudge) { return hitOf(nudge.movesNothing() ? 1 : 2, 5); };
     const Comparison::Twin sure = [](Nudge) { return hitOf(1, 5); };
