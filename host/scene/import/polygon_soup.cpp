@@ -101,7 +101,7 @@ private:
         std::size_t begin = 0;
         for (std::size_t i = 0; i < ends.size(); ++i) {
             const std::span<Corner> polygon = std::span(soup_.corners).subspan(begin, ends[i] - begin);
-            std::ranges::rotate(polygon, polygon.begin() + turns[i]);
+            std::rotate(polygon.begin(), polygon.begin() + turns[i], polygon.end());
             begin = ends[i];
         }
     }

@@ -2,10 +2,12 @@
 #include "scene/model/bounds.h"
 
 #include "base/parallel.h"
+#include "scene/model/mesh_extent.h"
 #include "scene/model/quadric.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace hyalite {
 namespace {
@@ -100,12 +102,39 @@ Bounds meshBounds(const Mesh& mesh, const glm::dmat4& objectToWorld) {
     return box;
 }
 
+namespace {
+
+// Of meshes with so many instances that sorting their vertices pays; empty for the others.
+std::vector<std::optional<MeshExtent>> extentsOfRepeated(const Scene& scene) {
+    constexpr std::size_t kMany = 8;
+    std::vector<std::size_t> counts(scene.meshes.size(), 0);
+    for (const std::vector<Object>* objects : {&scene.objects, &scene.csgLeaves}) {
+        for (const Object& object : *objects) {
+            if (const auto* instance = std::get_if<MeshInstance>(&object.shape)) {
+                ++counts.at(instance->mesh);
+            }
+        }
+    }
+    std::vector<std::optional<MeshExtent>> extents(scene.meshes.size());
+    for (std::size_t mesh = 0; mesh < extents.size(); ++mesh) {
+        if (counts[mesh] > kMany) {
+            extents[mesh].emplace(scene.meshes[mesh]);
+        }
+    }
+    return extents;
+}
+
+} // namespace
+
 void findMeshBounds(Scene& scene) {
+    const std::vector<std::optional<MeshExtent>> extents = extentsOfRepeated(scene);
     for (std::vector<Object>* objects : {&scene.objects, &scene.csgLeaves}) {
         parallelFor(objects->size(), 16, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 if (auto* instance = std::get_if<MeshInstance>(&(*objects)[i].shape)) {
-                    instance->bounds = meshBounds(scene.meshes[instance->mesh], instance->objectToWorld);
+                    const std::optional<MeshExtent>& extent = extents.at(instance->mesh);
+                    instance->bounds = extent ? extent->under(instance->objectToWorld)
+                                              : meshBounds(scene.meshes[instance->mesh], instance->objectToWorld);
                 }
             }
         });

@@ -203,7 +203,7 @@ private:
             }
         });
         std::ranges::sort(shell.open);
-        shell.open.erase(std::ranges::unique(shell.open).begin(), shell.open.end());
+        shell.open.erase(std::unique(shell.open.begin(), shell.open.end()), shell.open.end());
         return shell;
     }
 
