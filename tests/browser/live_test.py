@@ -11,6 +11,7 @@ import unittest
 
 from browser import console_complaints, open_browser
 from live_server import PASSES, SIDE, LiveServer, replace, save
+from selenium.common.exceptions import StaleElementReferenceException
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
@@ -79,7 +80,9 @@ class Page(Live):
         return self.browser.find_element(By.CSS_SELECTOR, selector)
 
     def wait(self, condition, patience=60):
-        return WebDriverWait(self.browser, patience, poll_frequency=0.05).until(lambda _: condition())
+        """What the condition returns once it is true; it is asked again where the page replaced an element meanwhile."""
+        stale = (StaleElementReferenceException,)
+        return WebDriverWait(self.browser, patience, poll_frequency=0.05, ignored_exceptions=stale).until(lambda _: condition())
 
     def canvas(self):
         return self.find("#picture")
@@ -126,7 +129,7 @@ class Page(Live):
         path = self.shader("bsdf/diffuse.glsl")
         save(path, path.read_text() + "float oops() { return missing; }\n")
         line = len(path.read_text().splitlines())
-        card = self.wait(lambda: self.browser.find_elements(By.CSS_SELECTOR, ".error"))[0].text
+        card = self.wait(lambda: [card.text for card in self.browser.find_elements(By.CSS_SELECTOR, ".error")])[0]
         for part in ("'gather_radiance'", "missing", f"shaders/bsdf/diffuse.glsl:{line}", "float oops"):
             self.assertIn(part, card)
         time.sleep(1)
