@@ -181,7 +181,7 @@ void Comparison::count(const Answer& device, const Answer& twin, const FieldResu
             return;
         }
         if (oneSided) { // such as a distance that only one side's light has, after directions that differ
-            ++(explained ? result.apart : result.failed);
+            ++result.failed;
             continue;
         }
         if (field.measure == Measure::Exact) {

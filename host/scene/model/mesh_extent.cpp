@@ -2,7 +2,6 @@
 #include "scene/model/mesh_extent.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -12,7 +11,7 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kCellsAlongEdge = 8;
+constexpr std::uint32_t kCells = 8;   // along each edge of the mesh's box
 constexpr double kRounding = 0x1p-45; // of the sums below, over the sum of their terms' sizes
 
 // The cell of a point of the box, as a number.
@@ -20,8 +19,8 @@ std::uint32_t cellOf(const Bounds& box, const dvec3& point) {
     std::uint32_t cell = 0;
     for (int axis = 0; axis < 3; ++axis) {
         const double size = box.high[axis] - box.low[axis];
-        const double place = size > 0 ? (point[axis] - box.low[axis]) / size * kCellsAlongEdge : 0;
-        cell = cell * 8 + static_cast<std::uint32_t>(std::clamp(place, 0.0, kCellsAlongEdge - 1));
+        const double place = size > 0 ? (point[axis] - box.low[axis]) / size * kCells : 0;
+        cell = cell * kCells + static_cast<std::uint32_t>(std::clamp(place, 0.0, kCells - 1.0));
     }
     return cell;
 }
@@ -98,11 +97,11 @@ Bounds MeshExtent::under(const glm::dmat4& objectToWorld) const {
         const double y = objectToWorld[1][axis];
         const double z = objectToWorld[2][axis];
         const double moved = objectToWorld[3][axis];
-        const dvec3 size(std::abs(x), std::abs(y), std::abs(z));
-        const double slack = kRounding * (glm::dot(size, farthest_) + std::abs(moved));
-        const double sizeX = size.x;
-        const double sizeY = size.y;
-        const double sizeZ = size.z;
+        const double sizeX = std::abs(x);
+        const double sizeY = std::abs(y);
+        const double sizeZ = std::abs(z);
+        const double slack =
+            kRounding * (sizeX * farthest_.x + sizeY * farthest_.y + sizeZ * farthest_.z + std::abs(moved));
         double* low = &reaches[2 * static_cast<std::size_t>(axis) * count];
         double* high = low + count;
         const double* cell = boxes_.data();

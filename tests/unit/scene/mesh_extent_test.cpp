@@ -9,7 +9,7 @@ using namespace hyalite;
 
 namespace {
 
-// Triangles between random points of a sphere, a disc or a line, as `flat` axes are 0; one more vertex is in none.
+// Triangles between random points, all alike along the first `flat` axes. One more vertex, far away, is in none.
 Mesh cloud(std::mt19937& random, int flat, std::size_t count) {
     std::normal_distribution<float> normal;
     Mesh mesh;
